@@ -1,0 +1,85 @@
+#include "color/difference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "color/colorimetry.h"
+
+namespace metamer {
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+double f(double t) {
+    constexpr double delta = 6.0 / 29;
+    return t > delta * delta * delta ? std::cbrt(t) : t / (3 * delta * delta) + 4.0 / 29;
+}
+
+double hue_deg(double a, double b) {
+    if (a == 0 && b == 0)
+        return 0;
+    const double h = std::atan2(b, a) / kDegree;
+    return h < 0 ? h + 360 : h;
+}
+
+double pow7_share(double c) {
+    const double c7 = std::pow(c, 7);
+    return std::sqrt(c7 / (c7 + std::pow(25.0, 7)));
+}
+
+double hue_difference_deg(double h1, double h2, bool gray) {
+    if (gray)
+        return 0;
+    const double d = h2 - h1;
+    return d > 180 ? d - 360 : d < -180 ? d + 360 : d;
+}
+
+double mean_hue_deg(double h1, double h2, bool gray) {
+    if (gray)
+        return h1 + h2;
+    if (std::abs(h1 - h2) <= 180)
+        return (h1 + h2) / 2;
+    return h1 + h2 < 360 ? (h1 + h2 + 360) / 2 : (h1 + h2 - 360) / 2;
+}
+
+} // namespace
+
+Xyz display_white() {
+    return xyz_of({0.3127, 0.3290});
+}
+
+Lab lab(const Xyz& c, const Xyz& white) {
+    const double fx = f(c.x / white.x), fy = f(c.y / white.y), fz = f(c.z / white.z);
+    return {116 * fy - 16, 500 * (fx - fy), 200 * (fy - fz)};
+}
+
+double delta_e_2000(const Lab& p, const Lab& q) {
+    const double g = 0.5 * (1 - pow7_share((std::hypot(p.a, p.b) + std::hypot(q.a, q.b)) / 2));
+    const double a1 = (1 + g) * p.a, a2 = (1 + g) * q.a;
+    const double c1 = std::hypot(a1, p.b), c2 = std::hypot(a2, q.b);
+    const double h1 = hue_deg(a1, p.b), h2 = hue_deg(a2, q.b);
+    const bool gray = c1 * c2 == 0;
+
+    const double dl = q.l - p.l, dc = c2 - c1;
+    const double dh = 2 * std::sqrt(c1 * c2) * std::sin(hue_difference_deg(h1, h2, gray) / 2 * kDegree);
+    const double l = (p.l + q.l) / 2, c = (c1 + c2) / 2, h = mean_hue_deg(h1, h2, gray);
+
+    const double t = 1 - 0.17 * std::cos((h - 30) * kDegree) + 0.24 * std::cos(2 * h * kDegree) +
+                     0.32 * std::cos((3 * h + 6) * kDegree) - 0.20 * std::cos((4 * h - 63) * kDegree);
+    const double l50 = (l - 50) * (l - 50);
+    const double sl = 1 + 0.015 * l50 / std::sqrt(20 + l50), sc = 1 + 0.045 * c, sh = 1 + 0.015 * c * t;
+    const double turn_deg = 30 * std::exp(-std::pow((h - 275) / 25, 2));
+    const double rt = -2 * pow7_share(c) * std::sin(2 * turn_deg * kDegree);
+
+    const double x = dl / sl, y = dc / sc, z = dh / sh;
+    return std::sqrt(std::max(0.0, x * x + y * y + z * z + rt * y * z));
+}
+
+double delta_e_2000(const Xyz& a, const Xyz& b) {
+    const Xyz white = display_white();
+    return delta_e_2000(lab(a, white), lab(b, white));
+}
+
+} // namespace metamer

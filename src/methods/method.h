@@ -1,0 +1,33 @@
+// The methods by name: ways to get from spectra to XYZ. Each has its CPU twin in this room and its GLSL by the same name
+// in shaders_es/.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace metamer {
+
+enum class Method { rgb, tristimulus, spectral };
+
+/// A method as `list methods`, INI files and JSON write it.
+struct MethodInfo {
+    Method method;
+    std::string_view name;
+    std::string_view description;
+};
+
+inline constexpr std::array<MethodInfo, 3> kMethods{{
+    {Method::rgb, "rgb", "product of lamp and material in the working space: what screens usually do"},
+    {Method::tristimulus, "tristimulus", "product of lamp and material in XYZ: the thesis's metameric side"},
+    {Method::spectral, "spectral", "lamp x reflectance x observer, 64 wavelengths from the atlas in the shader"},
+}};
+
+constexpr std::string_view method_name(Method method) {
+    return kMethods[static_cast<std::size_t>(method)].name;
+}
+
+/// The method of this name, case aside; none when there is none.
+std::optional<Method> find_method(std::string_view name);
+
+} // namespace metamer
