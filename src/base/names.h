@@ -20,8 +20,9 @@ std::string_view trimmed(std::string_view text);
 /// The pieces between separators, each trimmed; an empty text gives no piece.
 std::vector<std::string> split(std::string_view text, char separator);
 
-/// The candidate with the least optimal-string-alignment distance (insertions, deletions, replacements, neighbors
-/// swapped; case ignored), the first of equals; empty when even the nearest differs in more than half its letters.
+/// The candidate with the least optimal-string-alignment distance (insertions, deletions, replacements,
+/// neighbors swapped; case ignored), the first of equals; empty when even the nearest differs in more than
+/// half its letters.
 std::string nearest_name(std::string_view typed, std::span<const std::string> candidates);
 
 /// `; did you mean "crayons"?`, or an empty text when nothing is near.

@@ -7,8 +7,8 @@
 
 namespace metamer {
 
-/// A finite decimal number that fills the whole text (surrounding blanks aside); none for anything else: empty text,
-/// `nan`, `inf`, hexadecimal, a decimal comma, trailing letters, or a value beyond double.
+/// A finite decimal number that fills the whole text (surrounding blanks aside); none for anything else:
+/// empty text, `nan`, `inf`, hexadecimal, a decimal comma, trailing letters, or a value beyond double.
 std::optional<double> parse_number(std::string_view text);
 
 /// A whole number under the same rules.

@@ -8,17 +8,18 @@
 
 namespace metamer {
 
-/// A lamp resampled to kReferenceGrid together with its k' = sum of S y. Throws bad_input for a lamp without any light
-/// the observer sees (k' = 0).
+/// A lamp resampled to kReferenceGrid together with its k' = sum of S y. Throws bad_input for a lamp without
+/// any light the observer sees (k' = 0).
 struct ReferenceLamp {
     std::vector<double> power;
     double k;
 };
 ReferenceLamp reference_lamp(const LampSpectrum& lamp);
 
-/// XYZ of a material under a lamp, double precision, 1 nm, 360 .. 830 nm, Y = 1 for the perfect reflector under that
-/// lamp (CIE 15:2018 section 7.1; equations 7.1, 7.6-7.10 of the thesis at I_source I_shading = 1).
-/// `reflectance`: one value per wavelength of kReferenceGrid, as resample(material, kReferenceGrid) gives.
+/// XYZ of a material under a lamp, double precision, 1 nm, 360 .. 830 nm, Y = 1 for the perfect reflector
+/// under that lamp (CIE 15:2018 section 7.1; equations 7.1, 7.6-7.10 of the thesis at I_source I_shading =
+/// 1). `reflectance`: one value per wavelength of kReferenceGrid, as resample(material, kReferenceGrid)
+/// gives.
 Xyz reference_xyz(const ReferenceLamp& lamp, std::span<const double> reflectance);
 Xyz reference_xyz(const LampSpectrum& lamp, const MaterialSpectrum& material);
 

@@ -10,8 +10,8 @@ struct Lab {
     double l{}, a{}, b{};
 };
 
-/// The white of CIELAB for every figure in this project: the display's, D65 (x = 0.3127, y = 0.3290), which is what a
-/// visitor before a screen is adapted to.
+/// The white of CIELAB for every figure in this project: the display's, D65 (x = 0.3127, y = 0.3290), which
+/// is what a visitor before a screen is adapted to.
 Xyz display_white();
 
 /// CIELAB of XYZ against a white, both with the same scale of Y (ISO/CIE 11664-4:2019).
@@ -20,7 +20,8 @@ Lab lab(const Xyz& c, const Xyz& white);
 /// CIEDE2000 with kL = kC = kH = 1 (ISO/CIE 11664-6:2014; Sharma, Wu, Dalal 2005 for the hue's branches).
 double delta_e_2000(const Lab& a, const Lab& b);
 
-/// CIEDE2000 of two colors seen on the display: delta_e_2000(lab(a, display_white()), lab(b, display_white())).
+/// CIEDE2000 of two colors seen on the display: delta_e_2000(lab(a, display_white()), lab(b,
+/// display_white())).
 double delta_e_2000(const Xyz& a, const Xyz& b);
 
 } // namespace metamer

@@ -11,7 +11,9 @@ struct Grid {
     double step_nm;
     std::size_t count;
 
-    constexpr double wavelength_nm(std::size_t i) const { return first_nm + step_nm * static_cast<double>(i); }
+    constexpr double wavelength_nm(std::size_t i) const {
+        return first_nm + step_nm * static_cast<double>(i);
+    }
     constexpr double last_nm() const { return wavelength_nm(count - 1); }
 };
 

@@ -21,8 +21,8 @@ struct GridObserver {
     std::array<double, kIntervals> x{}, y{}, z{};
 };
 
-/// The observer's values at the grid's wavelengths, divided by the greatest of all (1.7826, z at 445 nm): what row 0 of
-/// the atlas holds before rounding. The division cancels in X'/k'.
+/// The observer's values at the grid's wavelengths, divided by the greatest of all (1.7826, z at 445 nm):
+/// what row 0 of the atlas holds before rounding. The division cancels in X'/k'.
 GridObserver sampled_observer();
 
 } // namespace metamer

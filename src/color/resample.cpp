@@ -7,8 +7,8 @@ namespace metamer {
 
 namespace {
 
-// The curve with the grid's wavelengths (continued beyond its ends) inserted wherever two samples are further apart
-// than a step.
+// The curve with the grid's wavelengths (continued beyond its ends) inserted wherever two samples are further
+// apart than a step.
 Curve cut_at_grid(const Curve& curve, const Grid& grid) {
     Curve cut;
     const auto push = [&](double w, double v) {
@@ -78,7 +78,8 @@ std::vector<double> resample(const MaterialSpectrum& material, const Grid& grid)
     }
     for (std::size_t i = 0; i < grid.count; ++i) {
         const double w = grid.wavelength_nm(i);
-        const bool inside = w >= material.curve.wavelength_nm.front() && w <= material.curve.wavelength_nm.back();
+        const bool inside =
+            w >= material.curve.wavelength_nm.front() && w <= material.curve.wavelength_nm.back();
         mean[i] = inside && weight[i] > 0 ? sum[i] / weight[i] : value_at_held(material.curve, w);
     }
     return mean;
@@ -108,7 +109,8 @@ SampledLamp sample_lamp(const LampSpectrum& lamp) {
 Reflectance sample_material(const MaterialSpectrum& material) {
     const std::vector<double> mean = resample(material, kThesisGrid);
     Reflectance sampled;
-    std::transform(mean.begin(), mean.end(), sampled.value.begin(), [](double r) { return std::clamp(r, 0.0, 1.0); });
+    std::transform(mean.begin(), mean.end(), sampled.value.begin(),
+                   [](double r) { return std::clamp(r, 0.0, 1.0); });
     return sampled;
 }
 

@@ -8,7 +8,8 @@
 
 namespace metamer {
 
-/// A piecewise linear function of wavelength. wavelength_nm ascends strictly; both have the same length, at least 2.
+/// A piecewise linear function of wavelength. wavelength_nm ascends strictly; both have the same length, at
+/// least 2.
 struct Curve {
     std::vector<double> wavelength_nm;
     std::vector<double> value;

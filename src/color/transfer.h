@@ -31,9 +31,11 @@ T encode(Transfer transfer, T v) {
     if (v <= static_cast<T>(SrgbCurve::kLinearUpTo))
         return static_cast<T>(static_cast<T>(SrgbCurve::kSlope) * v);
     // Powers are taken in float for half, as a GPU's special function unit does, then rounded.
-    const auto wide = std::pow(static_cast<std::conditional_t<sizeof(T) == 8, double, float>>(v),
-                               static_cast<std::conditional_t<sizeof(T) == 8, double, float>>(1 / SrgbCurve::kGamma));
-    return static_cast<T>(static_cast<T>(SrgbCurve::kScale) * static_cast<T>(wide) - static_cast<T>(SrgbCurve::kOffset));
+    const auto wide =
+        std::pow(static_cast<std::conditional_t<sizeof(T) == 8, double, float>>(v),
+                 static_cast<std::conditional_t<sizeof(T) == 8, double, float>>(1 / SrgbCurve::kGamma));
+    return static_cast<T>(static_cast<T>(SrgbCurve::kScale) * static_cast<T>(wide) -
+                          static_cast<T>(SrgbCurve::kOffset));
 }
 
 /// Code value 0 .. 1 to light 0 .. 1.

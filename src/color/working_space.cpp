@@ -40,8 +40,8 @@ std::span<const WorkingSpace> working_spaces() {
 }
 
 const WorkingSpace* find_working_space(std::string_view name) {
-    const auto found =
-        std::find_if(std::begin(kSpaces), std::end(kSpaces), [&](const auto& s) { return bare(s.name) == bare(name); });
+    const auto found = std::find_if(std::begin(kSpaces), std::end(kSpaces),
+                                    [&](const auto& s) { return bare(s.name) == bare(name); });
     return found == std::end(kSpaces) ? nullptr : found;
 }
 

@@ -17,10 +17,10 @@ struct WorkingSpace {
     std::string_view white_illuminant; ///< the library's lamp of that white: D65, D50, E, C
 };
 
-/// The eight working spaces of the thesis's figure 33, white swapped without adaptation as there, plus Apple RGB at D65
-/// (whose matrix figure 33 prints under the name "Apple (D50)"). The first is the default: sRGB-D65.
-/// Primaries: IEC 61966-2-1 (sRGB), CIE 1931 RGB, Adobe RGB (1998), Apple RGB, NTSC 1953, ITU-R BT.470 PAL/SECAM;
-/// whites: CIE 15, rounded as those standards round them.
+/// The eight working spaces of the thesis's figure 33, white swapped without adaptation as there, plus Apple
+/// RGB at D65 (whose matrix figure 33 prints under the name "Apple (D50)"). The first is the default:
+/// sRGB-D65. Primaries: IEC 61966-2-1 (sRGB), CIE 1931 RGB, Adobe RGB (1998), Apple RGB, NTSC 1953, ITU-R
+/// BT.470 PAL/SECAM; whites: CIE 15, rounded as those standards round them.
 std::span<const WorkingSpace> working_spaces();
 
 /// The space of this name, case and blanks aside ("srgb d65" is "sRGB-D65"); none when there is none.

@@ -1,5 +1,5 @@
-// The methods by name: ways to get from spectra to XYZ. Each has its CPU twin in this room and its GLSL by the same name
-// in shaders_es/.
+// The methods by name: ways to get from spectra to XYZ. Each has its CPU twin in this room and its GLSL by
+// the same name in shaders_es/.
 #pragma once
 
 #include <array>
@@ -20,7 +20,8 @@ struct MethodInfo {
 inline constexpr std::array<MethodInfo, 3> kMethods{{
     {Method::rgb, "rgb", "product of lamp and material in the working space: what screens usually do"},
     {Method::tristimulus, "tristimulus", "product of lamp and material in XYZ: the thesis's metameric side"},
-    {Method::spectral, "spectral", "lamp x reflectance x observer, 64 wavelengths from the atlas in the shader"},
+    {Method::spectral, "spectral",
+     "lamp x reflectance x observer, 64 wavelengths from the atlas in the shader"},
 }};
 
 constexpr std::string_view method_name(Method method) {

@@ -1,0 +1,9 @@
+// Method rgb: the product in the working space, what screens usually do.
+#include "precision.glsl"
+#include "light.glsl"
+#include "output.glsl"
+#include "product.glsl"
+
+void main() {
+    gl_FragColor = vec4(encode(product()), 1.0);
+}
