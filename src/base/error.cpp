@@ -2,22 +2,22 @@
 
 namespace metamer {
 
-namespace {
-std::string sentence(const std::string& verb, const std::string& place, const std::string& cause) {
-    return "cannot " + verb + " " + place + ": " + cause;
-}
-} // namespace
+Error::Error(Exit status, const std::string& verb, const std::string& place, const std::string& cause)
+    : std::runtime_error("cannot " + verb + " " + place + ": " + cause),
+      status_(status),
+      place_(place),
+      cause_(cause) {}
 
 Error bad_input(const std::string& verb, const std::string& place, const std::string& cause) {
-    return {Exit::bad_input, sentence(verb, place, cause)};
+    return {Exit::bad_input, verb, place, cause};
 }
 
 Error failure(const std::string& verb, const std::string& place, const std::string& cause) {
-    return {Exit::failure, sentence(verb, place, cause)};
+    return {Exit::failure, verb, place, cause};
 }
 
 Error no_gl(const std::string& verb, const std::string& place, const std::string& cause) {
-    return {Exit::no_gl, sentence(verb, place, cause)};
+    return {Exit::no_gl, verb, place, cause};
 }
 
 } // namespace metamer

@@ -12,11 +12,19 @@ enum class Exit { ok = 0, failure = 1, bad_input = 2, no_gl = 3 };
 /// Thrown where the caller cannot go on; caught once, in main, which prints `metamer: ` and what().
 class Error : public std::runtime_error {
 public:
-    Error(Exit status, const std::string& what) : std::runtime_error(what), status_(status) {}
+    Error(Exit status, const std::string& what) : std::runtime_error(what), status_(status), cause_(what) {}
+    /// `cannot VERB PLACE: CAUSE`.
+    Error(Exit status, const std::string& verb, const std::string& place, const std::string& cause);
     Exit status() const { return status_; }
+
+    /// The sentence's parts, for a caller that knows a better place (an INI file's line instead of a
+    /// spectrum's name). Without parts, the place is empty and the cause is everything.
+    const std::string& place() const { return place_; }
+    const std::string& cause() const { return cause_; }
 
 private:
     Exit status_;
+    std::string place_, cause_;
 };
 
 /// Input that cannot be taken, e.g. bad_input("read", "config/kiosk.ini:12", "strength = -1 is below 0")
