@@ -6,12 +6,12 @@
 
 namespace metamer {
 
-/// GL_INVALID_VALUE and so on by name; `GL error 0x1234` for one not of OpenGL ES 2.0.
+/// `GL_INVALID_VALUE` and so on; `GL error 0x1234` for one not of OpenGL ES 2.0.
 std::string gl_error_name(GLenum error);
 
-/// Throws failure("WHAT verb ...") when glGetError has something to say: throw_on_gl_error("draw", "the
-/// loaf") gives `cannot draw the loaf: GL_INVALID_OPERATION`. Clears every flag (OpenGL ES 2.0.25
-/// section 2.5: there may be several).
+/// Throws failure where glGetError has something to say: throw_on_gl_error("draw", "the loaf") gives
+/// `cannot draw the loaf: GL_INVALID_OPERATION`. Clears every flag (OpenGL ES 2.0.25 section 2.5: there may
+/// be several) and names all of them.
 void throw_on_gl_error(const std::string& verb, const std::string& object);
 
 } // namespace metamer
