@@ -1,16 +1,15 @@
 // The atlas: lamps and materials as rows of a 64 x 64 RGBA8 picture (DESIGN.md section 1).
 //
-// Column i = interval i of kThesisGrid. Row 0: x, y, z of the observer in R, G, B, divided by the greatest of the three.
-// Row r > 0: R = emission of lamp r (its peak = 255), G = reflectance of material r (1 = 255), B = 0 (kept for the
-// fluorescence excitation of material r), A = 255.
+// Column i = interval i of kThesisGrid. Row 0: x, y, z of the observer in R, G, B, divided by the greatest of
+// the three. Row r > 0: R = emission of lamp r (its peak = 255), G = reflectance of material r (1 = 255), B =
+// 0 (kept for the fluorescence excitation of material r), A = 255.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "color/observer.h"
 #include "color/spectrum.h"
@@ -21,15 +20,19 @@ namespace metamer {
 inline constexpr int kAtlasSize = 64;
 inline constexpr int kAtlasRows = kAtlasSize - 1; ///< rows 1 .. 63 hold lamps and materials
 
-/// What a row holds; an empty name means that the row holds none.
+/// What a row holds; an empty name means that the row holds none. Names and sources are UTF-8 without control
+/// characters; a name is unique among the lamps, or among the materials, case aside.
 struct AtlasLamp {
     std::string name, source;
     double peak = 1; ///< the lamp's true greatest value on the grid, in the unit of its source
 };
 struct AtlasMaterial {
     std::string name, source;
-    double scale = 1; ///< reflectance = value / 255 * scale; 1 in the thesis's format
+    double scale = 1; ///< reflectance = value / 255 * scale, 0 < scale <= 1; 1 in the thesis's format
 };
+
+/// The channels of rows 1 .. 63; in row 0 red, green and blue hold x, y and z.
+enum class AtlasChannel : std::size_t { lamp = 0, material = 1, excitation = 2, alpha = 3 };
 
 /// The pixels and what they mean. lamps[0] and materials[0] stay empty: keys are rows.
 struct Atlas {
@@ -38,19 +41,28 @@ struct Atlas {
     std::array<AtlasMaterial, kAtlasSize> materials;
 };
 
+/// The byte of a row, 0 .. 63, and interval, 0 .. 63, in Atlas::rgba.
+constexpr std::size_t atlas_byte(int row, std::size_t interval, AtlasChannel channel) {
+    return (static_cast<std::size_t>(row) * kAtlasSize + interval) * 4 + static_cast<std::size_t>(channel);
+}
+
 /// An atlas of row 0 only.
 Atlas empty_atlas();
 
-/// Quantizes in the thesis's way (round half up of value * 255) into the first free row; returns its key. Throws
-/// bad_input when all 63 rows are taken. A lamp or material of a name that is already there is not added again.
+/// Quantizes in the thesis's way (round half up of value * 255) into the first free row; returns its key, 1
+/// .. 63. A name that is already there (case aside) is not added again: its key is returned if its bytes
+/// agree. Throws bad_input if they differ, when all 63 rows are taken, for a name that is empty or holds
+/// control characters, and for a lamp without light on the grid.
 int add_lamp(Atlas& atlas, const Lamp& lamp);
 int add_material(Atlas& atlas, const Material& material);
 
-/// The key of a name (case aside) or of a key written as a number; 0 when there is none.
+/// The key of a name (case aside) or, when nothing has that name, of a key written as a number; 0 when there
+/// is none.
 int find_lamp_key(const Atlas& atlas, std::string_view name_or_key);
 int find_material_key(const Atlas& atlas, std::string_view name_or_key);
 
-/// What the shader reads back: row 0 and row `key` as numbers 0 .. 1.
+/// What the shader reads back: row 0, and row `key` (1 .. 63), as numbers 0 .. 1; a reflectance is times its
+/// scale.
 GridObserver observer(const Atlas& atlas);
 Emission emission(const Atlas& atlas, int key);
 Reflectance reflectance(const Atlas& atlas, int key);
