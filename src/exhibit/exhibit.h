@@ -19,32 +19,37 @@ namespace metamer {
 
 using Vec3 = std::array<double, 3>;
 
-inline constexpr int kMostLamps = 8;        ///< lamps a frame may have
-inline constexpr int kMostShadows = 4;      ///< lamps of them that may cast shadows (varyings, DESIGN.md section 5)
+inline constexpr int kMostLamps = 8; ///< lamps a frame may have
+inline constexpr int kMostShadows =
+    4; ///< lamps of them that may cast shadows (varyings, DESIGN.md section 5)
 
 /// [display]
 struct Display {
     int width_px = 1280;
     int height_px = 720;
     const WorkingSpace* working_space = &working_spaces()[0];
-    std::optional<Matrix3> matrix; ///< own linear RGB of XYZ instead of the working space's
+    std::optional<Matrix3>
+        matrix; ///< own linear RGB of XYZ instead of the working space's; a half's working space beats it
     Transfer transfer = Transfer::srgb;
     Adaptation adaptation = Adaptation::none;
     int supersample = 1; ///< each pixel from this many squared, averaged in light: 1, 2
 };
 
-/// I(d) = 1 / (constant + linear d + quadratic d^2), d in scene units from the lamp; a directional lamp has d = 0.
+/// I(d) = 1 / (constant + linear d + quadratic d^2), d in scene units from the lamp; a directional lamp has d
+/// = 0.
 struct Falloff {
     double constant = 1, linear = 0, quadratic = 0;
 };
 
 /// [lamp.N]
 struct LampSetting {
-    Lamp lamp;                      ///< its spectrum at full resolution, where it was found by library, formula or file
-    int key = 0;                    ///< its row in Exhibit::atlas
-    double strength = 1;            ///< I_source
-    std::optional<Vec3> position;   ///< point lamp at ..., scene units
-    std::optional<Vec3> direction;  ///< or light travelling along ... (normalized)
+    Lamp lamp;           ///< its spectrum at full resolution, where it was found by library, formula or file
+    int key = 0;         ///< its row in Exhibit::atlas
+    double strength = 1; ///< I_source
+    /// A point lamp at x, y, z in scene units (x to the right, y up, z to the visitor), or parallel light
+    /// that travels along x, y, z (length 1); neither: where the scene has its lamp of that number.
+    std::optional<Vec3> position;
+    std::optional<Vec3> direction;
     Falloff falloff;
     bool shadow = false;
 };
@@ -62,15 +67,15 @@ enum class Mix { reflectance, xyz, rgb };
 struct ObjectSetting {
     std::string name;
     MaterialSetting material;
-    std::optional<Method> method;            ///< its own method beats the half's and [accuracy]'s
+    std::optional<Method> method;                ///< its own method beats the half's and [accuracy]'s
     std::optional<MaterialSetting> material_end; ///< ramps: the material at the far end
     Mix mix = Mix::reflectance;
-    std::optional<Image> key_map;            ///< R of a pixel = key of its material; power of two, at most 2048
-    std::optional<Image> luminance_map;      ///< R of a pixel / 255 scales the reflectance
-    std::optional<Image> bump_map;           ///< R = height 0 .. 1
-    double bump = 0;                         ///< height of the bump map in scene units... per texel slope; 0: flat
-    double specular = 0;                     ///< share of the lamp's light mirrored unfiltered, 0 .. 1
-    double shininess = 32;                   ///< Blinn-Phong exponent, 1 .. 1000
+    std::optional<Image> key_map;       ///< R of a pixel = key of its material; power of two, at most 2048
+    std::optional<Image> luminance_map; ///< R of a pixel / 255 scales the reflectance
+    std::optional<Image> bump_map;      ///< R = height 0 .. 1
+    double bump = 0;                    ///< height of the map's white over its black, in map widths; 0: flat
+    double specular = 0;                ///< share of the lamp's light mirrored unfiltered, 0 .. 1
+    double shininess = 32;              ///< Blinn-Phong exponent, 1 .. 1000
 };
 
 enum class SceneKind { loaf, crayons, still_life, ramp, patches };
@@ -78,16 +83,16 @@ enum class SceneKind { loaf, crayons, still_life, ramp, patches };
 /// What one half overrides; what it does not override it shares.
 struct Half {
     std::optional<Method> method;
-    std::optional<LampSetting> lamp;             ///< spectrum for every lamp of the half (only lamp and key count)
+    std::optional<LampSetting> lamp; ///< spectrum for every lamp of the half (only lamp and key count)
     const WorkingSpace* working_space = nullptr; ///< nullptr: the display's
     std::optional<double> strength;              ///< for every lamp of the half
 };
 
 /// [compare]
 struct Compare {
-    double split = 0.5;                 ///< where the right half begins, as a share of the width
-    std::optional<int> split_px;        ///< or as a column, if written `640px`
-    int line_px = 0;                    ///< width of a gray line drawn over the split
+    double split = 0.5;          ///< where the right half begins, as a share of the width
+    std::optional<int> split_px; ///< or as a column, if written `640px`
+    int line_px = 0;             ///< width of a gray line drawn over the split
     Half left, right;
 };
 

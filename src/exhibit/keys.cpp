@@ -1,0 +1,157 @@
+#include "exhibit/keys.h"
+
+#include <algorithm>
+
+#include "base/names.h"
+#include "base/numbers.h"
+#include "color/working_space.h"
+#include "exhibit/exhibit.h"
+#include "exhibit/scene_kinds.h"
+#include "methods/method.h"
+
+namespace metamer {
+
+namespace {
+
+template <class Table>
+std::vector<std::string> names_of(const Table& table) {
+    std::vector<std::string> names;
+    for (const auto& row : table)
+        names.emplace_back(row.name);
+    return names;
+}
+
+std::vector<std::string> method_names() {
+    return names_of(kMethods);
+}
+std::vector<std::string> space_names() {
+    return names_of(working_spaces());
+}
+std::vector<std::string> kind_names() {
+    return names_of(scene_kinds());
+}
+std::vector<std::string> transfer_names() {
+    return {"srgb", "none"};
+}
+std::vector<std::string> adaptation_names() {
+    return {"none", "bradford"};
+}
+std::vector<std::string> mix_names() {
+    return {"reflectance", "xyz", "rgb"};
+}
+
+using enum ValueKind;
+
+// clang-format off
+constexpr KeyInfo kKeys[] = {
+    {"display", "width", whole, "px", 16, 4096, 1, nullptr, "1280", "width of the picture"},
+    {"display", "height", whole, "px", 16, 4096, 1, nullptr, "720", "height of the picture"},
+    {"display", "working_space", choice, "", 0, 0, 1, space_names, "sRGB-D65", "RGB space of the picture"},
+    {"display", "matrix", numbers, "", -100, 100, 9, nullptr, "the working space's",
+     "own linear RGB of XYZ in place of a working space, row by row; not singular"},
+    {"display", "transfer", choice, "", 0, 0, 1, transfer_names, "srgb", "curve from light to code values; none: code values are light"},
+    {"display", "adaptation", choice, "", 0, 0, 1, adaptation_names, "none",
+     "bradford: the eye is adapted to the lamp; none: to the display"},
+    {"display", "supersample", whole, "", 1, 2, 1, nullptr, "1", "each pixel from this many squared, averaged in light"},
+
+    {"accuracy", "method", choice, "", 0, 0, 1, method_names, "spectral", "how color is computed where nothing else says so"},
+
+    {"atlas", "file", file, "", 0, 0, 1, nullptr, "none: the atlas is built from what is used",
+     "atlas PNG whose lamps and materials are looked up first, by name or key"},
+
+    {"scene", "kind", choice, "", 0, 0, 1, kind_names, "crayons", "what is shown"},
+    {"scene", "materials", materials, "", 0, 0, 1, nullptr, "the scene's own",
+     "material i of the list gets key i; loaf, crayons, patches: one piece each, at most 63; ramp: its two ends; "
+     "still-life: what key maps choose from"},
+
+    {"lamp.N", "spectrum", lamp, "", 0, 0, 1, nullptr, "D65", "what it emits"},
+    {"lamp.N", "strength", number, "", 0, 1e6, 1, nullptr, "1", "I_source: 1 shows the perfect reflector as white"},
+    {"lamp.N", "position", numbers, "scene units", -1000, 1000, 3, nullptr, "where the scene has its lamp N",
+     "point lamp at x y z; x to the right, y up, z to the visitor"},
+    {"lamp.N", "direction", numbers, "", -1000, 1000, 3, nullptr, "where the scene has its lamp N",
+     "parallel light that travels along x y z, any length but 0; not together with position"},
+    {"lamp.N", "falloff", numbers, "", 0, 1e6, 3, nullptr, "1 0 0",
+     "a b c of 1 / (a + b d + c d^2), d from the lamp in scene units; not all 0; asks for position"},
+    {"lamp.N", "shadow", yes_no, "", 0, 0, 1, nullptr, "no", "whether objects cast shadows in its light; at most 4 lamps"},
+
+    {"object.NAME", "material", material, "", 0, 0, 1, nullptr, "the scene's", "what it is made of (a ramp: at its near end)"},
+    {"object.NAME", "method", choice, "", 0, 0, 1, method_names, "the half's, or [accuracy] method", "how its color is computed"},
+    {"object.NAME", "key_map", file, "", 0, 0, 1, nullptr, "none",
+     "PNG, power-of-two sides up to 2048; red of a pixel = key of its material"},
+    {"object.NAME", "luminance_map", file, "", 0, 0, 1, nullptr, "none",
+     "PNG, power-of-two sides up to 2048; red / 255 scales the reflectance"},
+    {"object.NAME", "bump", file, "", 0, 0, 1, nullptr, "none", "PNG, power-of-two sides up to 2048; red = height"},
+    {"object.NAME", "bump_height", number, "map widths", 0, 1, 1, nullptr, "0.02", "height of the bump map's white over its black"},
+    {"object.NAME", "specular", number, "", 0, 1, 1, nullptr, "the scene's", "share of the lamp's light that is mirrored unfiltered"},
+    {"object.NAME", "shininess", number, "", 1, 1000, 1, nullptr, "the scene's", "Blinn-Phong exponent: 1 dull, 1000 sharp"},
+    {"object.NAME", "mix", choice, "", 0, 0, 1, mix_names, "the scene's", "ramps only: what is mixed between the two materials"},
+
+    {"compare", "split", split, "", 0, 1, 1, nullptr, "0.5", "where the right half begins"},
+    {"compare", "line", whole, "px", 0, 64, 1, nullptr, "0", "width of a gray line over the split"},
+    {"compare", "left.method", choice, "", 0, 0, 1, method_names, "[accuracy] method", "how the left half is computed"},
+    {"compare", "left.lamp", lamp, "", 0, 0, 1, nullptr, "each lamp's own", "spectrum of every lamp in the left half"},
+    {"compare", "left.working_space", choice, "", 0, 0, 1, space_names, "[display] working_space", "RGB space of the left half"},
+    {"compare", "left.strength", number, "", 0, 1e6, 1, nullptr, "each lamp's own", "strength of every lamp in the left half"},
+    {"compare", "right.method", choice, "", 0, 0, 1, method_names, "[accuracy] method", "how the right half is computed"},
+    {"compare", "right.lamp", lamp, "", 0, 0, 1, nullptr, "each lamp's own", "spectrum of every lamp in the right half"},
+    {"compare", "right.working_space", choice, "", 0, 0, 1, space_names, "[display] working_space", "RGB space of the right half"},
+    {"compare", "right.strength", number, "", 0, 1e6, 1, nullptr, "each lamp's own", "strength of every lamp in the right half"},
+};
+// clang-format on
+
+} // namespace
+
+std::span<const KeyInfo> keys() {
+    return kKeys;
+}
+
+std::string_view section_pattern(std::string_view section) {
+    if (section.starts_with("lamp.")) {
+        const auto number = parse_whole(section.substr(5));
+        const bool fits =
+            number && *number >= 1 && *number <= kMostLamps && std::to_string(*number) == section.substr(5);
+        return fits ? "lamp.N" : std::string_view();
+    }
+    if (section.starts_with("object."))
+        return section.size() > 7 ? "object.NAME" : std::string_view();
+    for (const KeyInfo& info : kKeys)
+        if (info.section == section && section.find('.') == std::string_view::npos)
+            return info.section;
+    return {};
+}
+
+const KeyInfo* find_key(std::string_view section, std::string_view key) {
+    const std::string_view pattern = section_pattern(section);
+    const auto found = std::find_if(std::begin(kKeys), std::end(kKeys), [&](const KeyInfo& info) {
+        return info.section == pattern && info.key == key;
+    });
+    return found == std::end(kKeys) ? nullptr : found;
+}
+
+std::string unknown_section(std::string_view section) {
+    const std::size_t dot = std::min(section.find('.'), section.size());
+    const std::string_view head = section.substr(0, dot), tail = section.substr(dot);
+    const std::string text = "unknown section [" + std::string(section) + "]";
+    if (head == "lamp")
+        return text + "; lamps are [lamp.1] .. [lamp." + std::to_string(kMostLamps) + "]";
+    if (head == "object")
+        return text + "; objects are [object.NAME]";
+    std::vector<std::string> heads;
+    for (const KeyInfo& info : kKeys)
+        heads.emplace_back(info.section.substr(0, info.section.find('.')));
+    std::string near = nearest_name(head, heads);
+    if (near == "lamp" || near == "object")
+        near += tail.size() > 1 ? std::string(tail) : near == "lamp" ? ".1" : ".NAME";
+    return near.empty() ? text : text + "; did you mean [" + near + "]?";
+}
+
+std::string unknown_key(std::string_view section, std::string_view key) {
+    std::vector<std::string> known;
+    for (const KeyInfo& info : kKeys)
+        if (info.section == section_pattern(section))
+            known.emplace_back(info.key);
+    return "unknown key \"" + std::string(key) + "\" in [" + std::string(section) + "]" +
+           did_you_mean(key, known);
+}
+
+} // namespace metamer

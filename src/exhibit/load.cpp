@@ -1,0 +1,56 @@
+#include "exhibit/load.h"
+
+#include "base/files.h"
+#include "exhibit/ini.h"
+#include "exhibit/load_parts.h"
+
+namespace metamer_exhibit_files {
+std::string_view embedded(std::string_view name);
+}
+
+namespace metamer {
+
+namespace {
+
+constexpr std::size_t kMostBytes = 1u << 20;
+
+} // namespace
+
+Setting unwritten(std::string_view section, std::string_view key, const std::string& value,
+                  const std::string& place) {
+    return {std::string(section), std::string(key), value, place, ".", find_key(section, key)};
+}
+
+Exhibit parse_exhibit(std::string_view text, const std::string& place, const std::filesystem::path& folder,
+                      const std::vector<std::string>& sets, std::vector<std::string>* warnings) {
+    Settings settings(parse_ini(text, place), place, folder);
+    for (const std::string& set : sets)
+        settings.set(set);
+
+    Exhibit exhibit;
+    exhibit.place = place;
+    exhibit.display = load_display(settings);
+    exhibit.method = load_method(settings);
+    exhibit.scene = load_scene_kind(settings);
+    const SceneKindInfo& scene = scene_kind(exhibit.scene);
+    Rows rows = load_rows(settings, warnings);
+    exhibit.objects = load_objects(settings, scene, rows, place, warnings);
+    exhibit.lamps = load_lamps(settings, scene, rows, place, warnings);
+    exhibit.compare = load_compare(settings, exhibit.display, rows);
+    exhibit.atlas = rows.atlas();
+    return exhibit;
+}
+
+Exhibit load_exhibit(const std::filesystem::path& path, const std::vector<std::string>& sets,
+                     std::vector<std::string>* warnings) {
+    const std::filesystem::path folder =
+        path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    return parse_exhibit(read_file(path, kMostBytes), path.string(), folder, sets, warnings);
+}
+
+Exhibit default_exhibit(const std::vector<std::string>& sets, std::vector<std::string>* warnings) {
+    return parse_exhibit(metamer_exhibit_files::embedded("crayons.ini"), "the built-in crayons.ini", ".",
+                         sets, warnings);
+}
+
+} // namespace metamer

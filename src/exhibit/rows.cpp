@@ -1,0 +1,132 @@
+#include "exhibit/rows.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "exhibit/values.h"
+#include "spectra/library.h"
+
+namespace metamer {
+
+namespace {
+
+Curve on_grid(const std::array<double, kIntervals>& values, double scale) {
+    Curve curve;
+    for (std::size_t i = 0; i < kIntervals; ++i) {
+        curve.wavelength_nm.push_back(kThesisGrid.wavelength_nm(i));
+        curve.value.push_back(values[i] * scale);
+    }
+    return curve;
+}
+
+LampSetting lamp_of_row(const Atlas& atlas, int key, const std::string& place) {
+    const AtlasLamp& row = atlas.lamps[static_cast<std::size_t>(key)];
+    LampSetting found;
+    found.lamp = {row.name,
+                  "row " + std::to_string(key) + " of " + place,
+                  row.source,
+                  {on_grid(emission(atlas, key).value, row.peak), {}}};
+    found.key = key;
+    return found;
+}
+
+MaterialSetting material_of_row(const Atlas& atlas, int key, const std::string& place) {
+    const AtlasMaterial& row = atlas.materials[static_cast<std::size_t>(key)];
+    return {{row.name,
+             "row " + std::to_string(key) + " of " + place,
+             row.source,
+             {on_grid(reflectance(atlas, key).value, 1)}},
+            key};
+}
+
+/// What `look_up` gives; its errors placed at the setting.
+template <class F>
+auto placed(const Setting& setting, const std::string& text, F look_up) {
+    try {
+        return look_up();
+    } catch (const Error& inner) {
+        throw refused_by(setting, text, inner);
+    }
+}
+
+} // namespace
+
+Rows::Rows(Atlas file, std::string file_place, std::vector<std::string>* warnings)
+    : atlas_(file), file_(std::move(file)), file_place_(std::move(file_place)), warnings_(warnings) {}
+
+LampSetting Rows::lamp(const Setting& setting, const std::string& text) {
+    if (const int key = file_ ? find_lamp_key(*file_, text) : 0)
+        return lamp_of_row(*file_, key, file_place_);
+    return placed(setting, text, [&] {
+        refuse_key(text, "lamp");
+        std::vector<std::string> doubts;
+        LampSetting found;
+        found.lamp = find_lamp(text, setting.folder.string(), &doubts);
+        found.key = add(found.lamp, text);
+        warn(setting, doubts);
+        return found;
+    });
+}
+
+MaterialSetting Rows::material(const Setting& setting, const std::string& text) {
+    if (const int key = file_ ? find_material_key(*file_, text) : 0)
+        return material_of_row(*file_, key, file_place_);
+    return placed(setting, text, [&] {
+        refuse_key(text, "material");
+        std::vector<std::string> doubts;
+        MaterialSetting found;
+        found.material = find_material(text, setting.folder.string(), &doubts);
+        found.key = add(found.material, text);
+        warn(setting, doubts);
+        return found;
+    });
+}
+
+// Two files may call their columns alike: the second is known by what the exhibit calls it.
+int Rows::add(Lamp& lamp, const std::string& text) {
+    try {
+        return add_lamp(atlas_, lamp);
+    } catch (const Error&) {
+        if (find_lamp_key(atlas_, lamp.name) == 0 || lamp.name == text)
+            throw;
+        lamp.name = text;
+        return add_lamp(atlas_, lamp);
+    }
+}
+
+int Rows::add(Material& material, const std::string& text) {
+    try {
+        return add_material(atlas_, material);
+    } catch (const Error&) {
+        if (find_material_key(atlas_, material.name) == 0 || material.name == text)
+            throw;
+        material.name = text;
+        return add_material(atlas_, material);
+    }
+}
+
+void Rows::refuse_key(const std::string& text, const std::string& what) const {
+    if (!parse_whole(text))
+        return;
+    if (!file_)
+        throw bad_input("find", text, "a key names a row of an atlas; [atlas] file names none");
+    throw bad_input("find", text, file_place_ + " has no " + what + " in row " + text);
+}
+
+std::vector<std::string> Rows::file_materials() const {
+    std::vector<std::string> names;
+    if (file_)
+        for (const AtlasMaterial& row : file_->materials)
+            if (!row.name.empty())
+                names.push_back(row.name);
+    return names;
+}
+
+void Rows::warn(const Setting& setting, const std::vector<std::string>& doubts) {
+    if (warnings_)
+        for (const std::string& doubt : doubts)
+            warnings_->push_back(setting.place + ": " + doubt);
+}
+
+} // namespace metamer

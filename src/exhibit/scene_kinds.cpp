@@ -1,0 +1,85 @@
+#include "exhibit/scene_kinds.h"
+
+#include <algorithm>
+
+#include "base/names.h"
+
+namespace metamer {
+
+namespace {
+
+constexpr SceneKindInfo kKinds[] = {
+    {SceneKind::loaf, "loaf", "a cube cut in slices, one material each (figures 35-44)", "crayons"},
+    {SceneKind::crayons, "crayons", "crayons side by side, one material each (figures 48-51)", "crayons"},
+    {SceneKind::still_life, "still-life", "table, wall and eight things on the table (figures 52-53)", "", 0},
+    {SceneKind::ramp, "ramp", "two materials mixed by reflectance, by XYZ and by RGB (chapter 8.3)",
+     "crayon-blue, crayon-yellow", 2, 2, true},
+    {SceneKind::patches, "patches", "flat patches, one material each, evenly lit", "crayons", 1, kAtlasRows,
+     true},
+};
+
+std::vector<ObjectDefault> pieces(const std::string& word, std::span<const std::string> materials,
+                                  double specular) {
+    std::vector<ObjectDefault> objects;
+    for (const std::string& material : materials) {
+        ObjectDefault piece;
+        piece.name = word + "-" + std::to_string(objects.size() + 1);
+        piece.material = material;
+        piece.specular = specular;
+        objects.push_back(piece);
+    }
+    return objects;
+}
+
+std::vector<ObjectDefault> ramps(const std::string& near_end, const std::string& far_end) {
+    return {{"ramp-reflectance", near_end, far_end, Method::spectral, Mix::reflectance},
+            {"ramp-xyz", near_end, far_end, Method::tristimulus, Mix::xyz},
+            {"ramp-rgb", near_end, far_end, Method::rgb, Mix::rgb}};
+}
+
+/// Warm and cool things side by side: no lamp flatters both.
+std::vector<ObjectDefault> still_life() {
+    const auto thing = [](const char* name, const char* material, double specular, double shininess) {
+        return ObjectDefault{name, material, "", std::nullopt, Mix::reflectance, specular, shininess};
+    };
+    return {thing("table", "crayon-brown", 0.05, 16),     thing("wall", "crayon-gray", 0, 32),
+            thing("ball", "crayon-white", 0.2, 60),       thing("orange", "crayon-orange", 0.1, 24),
+            thing("apple", "crayon-red", 0.25, 60),       thing("box", "crayon-cerulean", 0.05, 16),
+            thing("vase", "crayon-blue-green", 0.4, 120), thing("cone", "crayon-yellow", 0.1, 32),
+            thing("ring", "crayon-violet", 0.3, 80),      thing("cloth", "crayon-carnation-pink", 0, 32)};
+}
+
+} // namespace
+
+std::span<const SceneKindInfo> scene_kinds() {
+    return kKinds;
+}
+
+const SceneKindInfo& scene_kind(SceneKind kind) {
+    return *std::find_if(std::begin(kKinds), std::end(kKinds),
+                         [&](const auto& info) { return info.kind == kind; });
+}
+
+const SceneKindInfo* find_scene_kind(std::string_view name) {
+    const auto found = std::find_if(std::begin(kKinds), std::end(kKinds),
+                                    [&](const auto& info) { return same_name(info.name, name); });
+    return found == std::end(kKinds) ? nullptr : found;
+}
+
+std::vector<ObjectDefault> scene_objects(SceneKind kind, std::span<const std::string> materials) {
+    switch (kind) {
+    case SceneKind::loaf:
+        return pieces("slice", materials, 0);
+    case SceneKind::crayons:
+        return pieces("crayon", materials, 0.05);
+    case SceneKind::patches:
+        return pieces("patch", materials, 0);
+    case SceneKind::ramp:
+        return ramps(materials[0], materials[1]);
+    case SceneKind::still_life:
+        return still_life();
+    }
+    return {};
+}
+
+} // namespace metamer
