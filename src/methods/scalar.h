@@ -1,4 +1,4 @@
-// The scalars that the CPU twins are templates over: double, float, and half, which is what Mali-400 computes
+// The scalars that the CPU twins are templates over: double, float, and Float16, which is what Mali-400 computes
 // in.
 #pragma once
 
@@ -8,9 +8,9 @@ namespace metamer {
 
 /// IEEE 754 binary16, rounded after every operation (gcc: each operation in float, then rounded; float has
 /// more than twice half's digits plus two, so +, -, *, / come out as if rounded once).
-__extension__ typedef _Float16 half;
+__extension__ typedef _Float16 Float16;
 
 template <class T>
-concept Scalar = std::same_as<T, double> || std::same_as<T, float> || std::same_as<T, half>;
+concept Scalar = std::same_as<T, double> || std::same_as<T, float> || std::same_as<T, Float16>;
 
 } // namespace metamer

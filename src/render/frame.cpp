@@ -1,0 +1,50 @@
+#include "render/frame.h"
+
+#include <algorithm>
+
+#include "color/colorimetry.h"
+#include "gles/framebuffer.h"
+#include "render/frame_renderer.h"
+#include "render/supersample.h"
+
+namespace metamer {
+
+Image render_frame(const Exhibit& exhibit) {
+    const int scale = exhibit.display.supersample;
+    const int width = exhibit.display.width_px * scale, height = exhibit.display.height_px * scale;
+    FrameRenderer renderer(exhibit);
+    Framebuffer target(width, height, DepthBuffer::depth16);
+    target.bind();
+    renderer.draw(width, height, scale);
+    return averaged({width, height, target.read_rgba()}, scale, exhibit.display.transfer);
+}
+
+ColorChunks color_chunks(const Display& display) {
+    ColorChunks chunks;
+    const WorkingSpace& space = *display.working_space;
+    if (!display.matrix && display.transfer == Transfer::srgb && space.name == working_spaces()[0].name) {
+        chunks.srgb = true;
+        return chunks;
+    }
+    chunks.gamma = display.transfer == Transfer::srgb ? 1 / 2.2 : 1.0;
+    const auto xyz_from = display.matrix ? inverse(*display.matrix) : xyz_from_rgb(space);
+    if (!xyz_from)
+        return chunks;
+    std::array<double, 8> xy{};
+    const LinearRgb corners[]{{1, 1, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Chromaticity c = chromaticity(to_xyz(*xyz_from, corners[i]));
+        xy[2 * i] = c.x;
+        xy[2 * i + 1] = c.y;
+    }
+    if (std::all_of(xy.begin(), xy.end(), [](double v) { return v > 0 && v < 1; }))
+        chunks.xy = xy;
+    return chunks;
+}
+
+std::string encode_frame(const Image& image, const Exhibit& exhibit) {
+    return encode_png(
+        {image, {{"Software", "Metamer"}, {"Title", exhibit.place}}, color_chunks(exhibit.display)}, false);
+}
+
+} // namespace metamer

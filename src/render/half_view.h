@@ -1,0 +1,42 @@
+// What one half of the split shows: the exhibit with the half's overrides applied, in the numbers that
+// uniforms take. No GL here.
+#pragma once
+
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "exhibit/exhibit.h"
+#include "methods/pair.h"
+#include "render/scene.h"
+
+namespace metamer {
+
+/// A lamp as one half sees it.
+struct HalfLamp {
+    int key;           ///< its row in the atlas
+    Emission emission; ///< that row
+    double strength;   ///< I_source
+    glm::vec4 place;   ///< position, w = 1; or unit direction towards the lamp, w = 0
+    Falloff falloff;
+    bool shadow;
+};
+
+struct HalfView {
+    const Half* half = nullptr;  ///< nullptr where the exhibit compares nothing
+    std::vector<HalfLamp> lamps; ///< those that cast shadows first
+    int shadows = 0;             ///< how many of them
+    OutputSpace output;
+    int begin_px = 0, end_px = 0; ///< its columns
+};
+
+/// One view for the whole frame, or two for a comparison, for a frame of `width_px` columns. Throws bad_input
+/// where adaptation to the half's lamps is asked for and impossible.
+std::vector<HalfView> half_views(const Exhibit& exhibit, const Scene& scene, int width_px);
+
+/// The column where the right half begins, 0 .. width_px.
+int split_column(const Compare& compare, int width_px);
+
+/// The method for an object in a half: the object's own, else the half's, else the exhibit's.
+Method method_of(const Exhibit& exhibit, const Half* half, const ObjectSetting& object);
+
+} // namespace metamer

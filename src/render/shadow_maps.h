@@ -1,0 +1,41 @@
+// Shadow maps (Williams 1978) of up to four lamps, tiles of one texture; drawn once, as nothing in a scene
+// moves.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "gles/framebuffer.h"
+#include "gles/mesh.h"
+#include "render/half_view.h"
+
+namespace metamer {
+
+/// Where a lamp's tile lies and how it looks at the scene.
+struct ShadowTile {
+    glm::mat4 shadow_from_world; ///< world to the lamp's clip space
+    glm::vec3 tile;              ///< corner s, t; bias of the depth
+};
+
+/// The lamp's view of the sphere around the scene: parallel for directions, a cone for positions (at most 120
+/// degrees).
+glm::mat4 shadow_view(const glm::vec4& place, const glm::vec3& center, float radius);
+
+/// The texture and its tiles. Move-only, needs a context.
+class ShadowMaps {
+public:
+    /// Draws `meshes` for the first lamps, those with shadow = true; none makes an empty object that binds
+    /// nothing.
+    ShadowMaps(std::span<const HalfLamp> lamps, const Scene& scene, std::span<const Mesh> meshes);
+
+    void bind(int unit) const;
+    std::span<const ShadowTile> tiles() const { return tiles_; }
+
+private:
+    std::optional<Framebuffer> map_;
+    std::vector<ShadowTile> tiles_;
+};
+
+} // namespace metamer
