@@ -8,6 +8,7 @@
 #include "base/names.h"
 #include "base/numbers.h"
 #include "color/resample.h"
+#include "image/utf8.h"
 
 namespace metamer {
 
@@ -63,11 +64,16 @@ int key_of(const std::array<Entry, kAtlasSize>& entries, std::string_view name_o
     return taken ? key : 0;
 }
 
+// Any bytes may come as a name: only what a terminal can take is shown.
+std::string place_of(const std::string& what, const std::string& name) {
+    return what + " \"" + quotable(name) + "\"";
+}
+
 // The row that these values are in or go to. `what`: "lamp" or "material", for errors.
 template <class Entry>
 int row_for(const Atlas& atlas, const std::array<Entry, kAtlasSize>& entries, AtlasChannel channel,
             const std::string& what, const Entry& entry, const Row& values) {
-    const std::string place = what + " \"" + entry.name + "\"";
+    const std::string place = place_of(what, entry.name);
     if (const auto flaw = flaw_of_name(entry.name, entry.source))
         throw bad_input("add", place, *flaw);
     if (const int key = key_of_name(entries, entry.name)) {
@@ -101,7 +107,7 @@ Atlas empty_atlas() {
 int add_lamp(Atlas& atlas, const Lamp& lamp) {
     const SampledLamp sampled = sample_lamp(lamp.spectrum);
     if (!(sampled.peak > 0))
-        throw bad_input("add", "lamp \"" + lamp.name + "\"",
+        throw bad_input("add", place_of("lamp", lamp.name),
                         "it has no light on the atlas's grid, " + to_text(kThesisGrid.first_nm) + " .. " +
                             to_text(kThesisGrid.last_nm()) + " nm");
     const AtlasLamp entry{lamp.name, lamp.source, sampled.peak};

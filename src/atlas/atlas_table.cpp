@@ -1,6 +1,7 @@
 #include "atlas/atlas_table.h"
 
 #include <algorithm>
+#include <charconv>
 
 #include "atlas/atlas_text.h"
 #include "base/numbers.h"
@@ -31,14 +32,21 @@ std::string padded(const std::string& text, std::size_t columns) {
     return text + std::string(columns > there ? columns - there : 0, ' ');
 }
 
+// Four digits are enough for people; the file keeps them all.
+std::string short_text(double value) {
+    char text[32];
+    const auto [end, error] = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 4);
+    return error == std::errc() ? std::string(text, end) : to_text(value);
+}
+
 std::string lamp_text(const AtlasLamp& lamp) {
-    return lamp.name.empty() ? "" : lamp.name + " (peak " + to_text(lamp.peak) + ")";
+    return lamp.name.empty() ? "" : lamp.name + " (peak " + short_text(lamp.peak) + ")";
 }
 
 std::string material_text(const AtlasMaterial& material) {
     return material.scale == 1 || material.name.empty()
                ? material.name
-               : material.name + " (scale " + to_text(material.scale) + ")";
+               : material.name + " (scale " + short_text(material.scale) + ")";
 }
 
 std::size_t widest_lamp(const Atlas& atlas) {

@@ -39,6 +39,18 @@ bool second_fits(unsigned char first, unsigned char second) {
     }
 }
 
+// The bytes of the well-formed sequence that the text begins with; 0 if it begins with none.
+std::size_t well_formed_length(std::string_view text) {
+    const auto first = static_cast<unsigned char>(text[0]);
+    const std::size_t length = sequence_length(first);
+    if (length == 0 || length > text.size())
+        return 0;
+    for (std::size_t i = 1; i < length; ++i)
+        if (!is_tail(static_cast<unsigned char>(text[i])))
+            return 0;
+    return length == 1 || second_fits(first, static_cast<unsigned char>(text[1])) ? length : 0;
+}
+
 // The bytes of the control character that the text begins with; 0 if it begins with another. U+0080 .. U+009F
 // are C2 80 .. C2 9F.
 std::size_t control_length(std::string_view utf8) {
@@ -52,14 +64,8 @@ std::size_t control_length(std::string_view utf8) {
 
 bool is_utf8(std::string_view text) {
     while (!text.empty()) {
-        const auto first = static_cast<unsigned char>(text[0]);
-        const std::size_t length = sequence_length(first);
-        if (length == 0 || length > text.size())
-            return false;
-        for (std::size_t i = 1; i < length; ++i)
-            if (!is_tail(static_cast<unsigned char>(text[i])))
-                return false;
-        if (length > 1 && !second_fits(first, static_cast<unsigned char>(text[1])))
+        const std::size_t length = well_formed_length(text);
+        if (length == 0)
             return false;
         text.remove_prefix(length);
     }
@@ -92,18 +98,17 @@ std::size_t code_points(std::string_view utf8) {
         utf8.begin(), utf8.end(), [](char c) { return !is_tail(static_cast<unsigned char>(c)); }));
 }
 
-std::string quotable(std::string_view utf8) {
+std::string quotable(std::string_view text) {
     constexpr std::size_t most_bytes = 40;
     std::string out;
-    while (!utf8.empty()) {
-        const std::size_t control = control_length(utf8);
-        const std::size_t length =
-            control > 0 ? control
-                        : std::max<std::size_t>(1, sequence_length(static_cast<unsigned char>(utf8[0])));
-        if (out.size() + length > most_bytes)
+    while (!text.empty()) {
+        const std::size_t length = std::max<std::size_t>(1, well_formed_length(text));
+        const bool shown = well_formed_length(text) > 0 && control_length(text) == 0;
+        const std::string_view piece = shown ? text.substr(0, length) : std::string_view("?");
+        if (out.size() + piece.size() > most_bytes)
             return out + "...";
-        out += control > 0 ? "?" : utf8.substr(0, length);
-        utf8.remove_prefix(std::min(length, utf8.size()));
+        out += piece;
+        text.remove_prefix(length);
     }
     return out;
 }

@@ -21,8 +21,8 @@ std::string utf8_from_latin1(std::string_view latin1);
 /// The number of code points in well-formed UTF-8.
 std::size_t code_points(std::string_view utf8);
 
-/// Untrusted UTF-8 as an error message may quote it: control characters become `?`, and what goes on beyond
-/// 40 bytes is cut at a code point and ends in `...`.
-std::string quotable(std::string_view utf8);
+/// Untrusted bytes as an error message may quote them: control characters and what is not UTF-8 become `?`,
+/// and what goes on beyond 40 bytes is cut at a code point and ends in `...`.
+std::string quotable(std::string_view text);
 
 } // namespace metamer
