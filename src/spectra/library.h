@@ -13,7 +13,8 @@ namespace metamer {
 /// A lamp with its name and where its figures come from.
 struct Lamp {
     std::string name;        ///< e.g. "F11", "planck:2856", "my-lamp.csv#tube"
-    std::string description; ///< for people: "CIE F11, narrow-band fluorescent"; says "modelled" or "computed" if it is
+    std::string description; ///< for people: "CIE F11, narrow-band fluorescent"; says "modelled" or
+                             ///< "computed" if it is
     std::string source;      ///< provenance: standard and table, formula, or file
     LampSpectrum spectrum;
 };
@@ -28,12 +29,13 @@ struct Material {
 
 /// A named list of at most 63 materials: one atlas's worth.
 struct MaterialSet {
-    std::string name;        ///< "colorchecker", "single", "weighted", "empirical", "crayons"
+    std::string name; ///< "colorchecker", "single", "weighted", "empirical", "crayons"
     std::string description;
     std::vector<std::string> materials;
 };
 
-/// All named lamps: the thesis's fifteen first, in its order, then the CIE set, then the NIST set. At most 63.
+/// All named lamps: the thesis's fifteen first, in its order, then the CIE set, then the NIST set. At
+/// most 63.
 std::span<const Lamp> library_lamps();
 
 /// The names of the thesis's fifteen lamps (figures 45-46), in its order.
@@ -46,14 +48,16 @@ std::span<const MaterialSet> material_sets();
 /// The set of this name; none when there is none.
 const MaterialSet* find_material_set(std::string_view name);
 
-/// A lamp by library name (case aside), by formula (`planck:2856`, `daylight:5000`, `gauss:530:20`, `line:589.3`) or by
-/// file (`path.csv`, `path.csv#column`; relative paths are taken from `folder`). Throws bad_input that names the
-/// nearest library name, the range a formula's number must keep, or what is wrong in the file and where.
-/// `warnings`, if given, receives one sentence per doubt (energy outside the grid, with the lost share).
-Lamp find_lamp(std::string_view name, const std::string& folder = ".", std::vector<std::string>* warnings = nullptr);
+/// A lamp by library name (case aside), by formula (`planck:2856`, `daylight:5000`, `gauss:530:20`,
+/// `line:589.3`) or by file (`path.csv`, `path.csv#column`; relative paths are taken from `folder`). Throws
+/// bad_input that names the nearest library name, the range a formula's number must keep, or what is wrong in
+/// the file and where. `warnings`, if given, receives one sentence per doubt (energy outside the grid, with
+/// the lost share).
+Lamp find_lamp(std::string_view name, const std::string& folder = ".",
+               std::vector<std::string>* warnings = nullptr);
 
-/// A material likewise; formulas: `gauss:530:20` (peak 1) and `rgb:ED0A3F` (the smoothest reflectance with exactly this
-/// sRGB color under D65).
+/// A material likewise; formulas: `gauss:530:20` (peak 1) and `rgb:ED0A3F` (the smoothest reflectance with
+/// exactly this sRGB color under D65).
 Material find_material(std::string_view name, const std::string& folder = ".",
                        std::vector<std::string>* warnings = nullptr);
 
