@@ -9,6 +9,12 @@ namespace metamer {
 namespace {
 /// A lost context may repeat one error for ever: no GL has more flags than this.
 constexpr int kMostFlags = 16;
+
+std::string unknown(const char* kind, GLenum value) {
+    char digits[16];
+    std::snprintf(digits, sizeof digits, "0x%04x", value);
+    return std::string(kind) + " " + digits;
+}
 } // namespace
 
 std::string gl_error_name(GLenum error) {
@@ -25,11 +31,25 @@ std::string gl_error_name(GLenum error) {
         return "GL_INVALID_FRAMEBUFFER_OPERATION";
     case GL_OUT_OF_MEMORY:
         return "GL_OUT_OF_MEMORY";
-    default: {
-        char text[32];
-        std::snprintf(text, sizeof text, "GL error 0x%04x", error);
-        return text;
+    default:
+        return unknown("GL error", error);
     }
+}
+
+std::string framebuffer_status_name(GLenum status) {
+    switch (status) {
+    case GL_FRAMEBUFFER_COMPLETE:
+        return "GL_FRAMEBUFFER_COMPLETE";
+    case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
+        return "GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT";
+    case GL_FRAMEBUFFER_INCOMPLETE_DIMENSIONS:
+        return "GL_FRAMEBUFFER_INCOMPLETE_DIMENSIONS";
+    case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT:
+        return "GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT";
+    case GL_FRAMEBUFFER_UNSUPPORTED:
+        return "GL_FRAMEBUFFER_UNSUPPORTED";
+    default:
+        return unknown("framebuffer status", status);
     }
 }
 

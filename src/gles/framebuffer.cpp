@@ -3,7 +3,6 @@
 #include <GLES2/gl2ext.h>
 #include <algorithm>
 #include <bit>
-#include <cstdio>
 #include <string>
 
 #include "base/error.h"
@@ -16,24 +15,6 @@ namespace {
 
 std::string place(int width_px, int height_px) {
     return "framebuffer " + std::to_string(width_px) + "x" + std::to_string(height_px);
-}
-
-std::string status_name(GLenum status) {
-    switch (status) {
-    case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
-        return "GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT";
-    case GL_FRAMEBUFFER_INCOMPLETE_DIMENSIONS:
-        return "GL_FRAMEBUFFER_INCOMPLETE_DIMENSIONS";
-    case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT:
-        return "GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT";
-    case GL_FRAMEBUFFER_UNSUPPORTED:
-        return "GL_FRAMEBUFFER_UNSUPPORTED";
-    default: {
-        char text[40];
-        std::snprintf(text, sizeof text, "framebuffer status 0x%04x", status);
-        return text;
-    }
-    }
 }
 
 int integer(GLenum name) {
@@ -65,10 +46,9 @@ void check_size(int width_px, int height_px, bool color_is_texture, bool sampled
 } // namespace
 
 Framebuffer::Framebuffer(int width_px, int height_px, DepthBuffer depth, ColorBuffer color)
-    : width_px_(width_px), height_px_(height_px) {
-    const bool sampled = color == ColorBuffer::texture;
-    const bool color_is_texture = sampled || !use_gl_extension("GL_OES_rgb8_rgba8");
-    check_size(width_px, height_px, color_is_texture, sampled);
+    : width_px_(width_px), height_px_(height_px), sampled_(color == ColorBuffer::texture) {
+    const bool color_is_texture = sampled_ || !use_gl_extension("GL_OES_rgb8_rgba8");
+    check_size(width_px, height_px, color_is_texture, sampled_);
     GLuint name = 0;
     glGenFramebuffers(1, &name);
     framebuffer_ = Handle<&Framebuffer::destroy_framebuffer>(name);
@@ -81,7 +61,7 @@ Framebuffer::Framebuffer(int width_px, int height_px, DepthBuffer depth, ColorBu
         attach_depth();
     throw_on_gl_error("make", place(width_px, height_px));
     if (const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER); status != GL_FRAMEBUFFER_COMPLETE)
-        throw failure("make", place(width_px, height_px), status_name(status));
+        throw failure("make", place(width_px, height_px), framebuffer_status_name(status));
     glViewport(0, 0, width_px, height_px);
 }
 
@@ -134,8 +114,8 @@ void Framebuffer::bind() const {
 }
 
 void Framebuffer::bind_texture(int unit) const {
-    if (color_texture_.get() == 0)
-        throw failure("sample", place(width_px_, height_px_), "its color buffer is no texture");
+    if (!sampled_)
+        throw failure("sample", place(width_px_, height_px_), "it was not made as a texture");
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_2D, color_texture_.get());
 }

@@ -28,7 +28,8 @@ public:
     /// Binds it and sets the viewport to all of it.
     void bind() const;
 
-    /// Binds the color texture to texture unit GL_TEXTURE0 + unit. Only for ColorBuffer::texture.
+    /// Binds the color texture to texture unit GL_TEXTURE0 + unit. Throws failure unless made with
+    /// ColorBuffer::texture.
     void bind_texture(int unit) const;
 
     /// width_px * height_px * 4 bytes, the top row (greatest y) first. Binds it.
@@ -46,6 +47,7 @@ private:
     void attach_depth();
 
     int width_px_, height_px_;
+    bool sampled_;
     Handle<&Framebuffer::destroy_renderbuffer> color_renderbuffer_, depth_renderbuffer_;
     Handle<&Framebuffer::destroy_texture> color_texture_;
     Handle<&Framebuffer::destroy_framebuffer> framebuffer_;

@@ -46,10 +46,14 @@ GlLimits limits() {
 
 } // namespace
 
+std::string gl_renderer() {
+    return text(GL_RENDERER);
+}
+
 GlInfo gl_info() {
     GlInfo info;
     info.vendor = text(GL_VENDOR);
-    info.renderer = text(GL_RENDERER);
+    info.renderer = gl_renderer();
     info.version = text(GL_VERSION);
     info.shading_language = text(GL_SHADING_LANGUAGE_VERSION);
     info.lowp = reported(GL_LOW_FLOAT);

@@ -38,6 +38,9 @@ struct GlInfo {
     std::vector<std::string> extensions_used; ///< used by the program (extensions.h)
 };
 
+/// GL_RENDERER of the current context.
+std::string gl_renderer();
+
 /// Asks and measures in the current context. Leaves another framebuffer binding, viewport and program behind.
 /// Throws failure when the probe shader cannot be drawn.
 GlInfo gl_info();

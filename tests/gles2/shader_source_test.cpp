@@ -1,22 +1,15 @@
 #include "gles/shader_source.h"
 
 #include <gmock/gmock.h>
-#include <map>
 
 #include "base/error.h"
+#include "gles2/gl_test.h"
 
 namespace metamer {
 namespace {
 
+using test::files_of;
 using testing::HasSubstr;
-
-/// Shader files that exist only here.
-ShaderFiles files_of(std::map<std::string, std::string, std::less<>> texts) {
-    return [texts = std::move(texts)](std::string_view name) -> std::string_view {
-        const auto found = texts.find(name);
-        return found == texts.end() ? std::string_view{} : std::string_view(found->second);
-    };
-}
 
 /// The origins as `file:line` without the folder, one word per line of text.
 std::string origins(const ComposedShader& composed) {
@@ -29,7 +22,7 @@ std::string origins(const ComposedShader& composed) {
     return words;
 }
 
-std::string refusal(const std::map<std::string, std::string, std::less<>>& texts) {
+std::string refusal(const test::Texts& texts) {
     try {
         compose_shader("main.frag", {}, files_of(texts));
     } catch (const Error& error) {
