@@ -1,6 +1,7 @@
 #include "spectra/formulas.h"
 
 #include <array>
+#include <cstdio>
 
 #include "base/error.h"
 #include "base/names.h"
@@ -54,6 +55,13 @@ constexpr Operand kDaylightTemperature{"color temperature", "K", kLowestDaylight
 constexpr Operand kWavelength{"wavelength", "nm", kReferenceGrid.first_nm, kReferenceGrid.last_nm()};
 constexpr Operand kFwhm{"width (FWHM)", "nm", kNarrowest_nm, kWidest_nm};
 
+// Without an exponent: 100000, where to_text prefers the shorter 1e+05.
+std::string plain(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.10g", value);
+    return text;
+}
+
 template <std::size_t n>
 std::array<double, n> numbers(const Formula& formula, const std::array<Operand, n>& wanted) {
     if (formula.operands.size() != n)
@@ -68,7 +76,7 @@ std::array<double, n> numbers(const Formula& formula, const std::array<Operand, 
             throw refused(formula, std::string(what) + " is no number: `" + formula.operands[i] + "`");
         if (*value < least || *value > most)
             throw refused(formula, std::string(what) + " " + to_text(*value) + " " + unit + " is outside " +
-                                       to_text(least) + ".." + to_text(most) + " " + unit);
+                                       plain(least) + ".." + plain(most) + " " + unit);
         out[i] = *value;
     }
     return out;

@@ -60,7 +60,8 @@ TEST(Lhtss, OfAGrayIsFlat) {
         EXPECT_NEAR(r, 0.3, 1e-9);
 }
 
-// Any change of z that keeps the color must make the sum of squared steps greater: that is what "smoothest" says.
+// Any change of z that keeps the color must make the sum of squared steps greater: that is what "smoothest"
+// says.
 TEST(Lhtss, IsSmootherThanItsMetamers) {
     const auto sum_of_steps = [](const MaterialSpectrum& material) {
         double sum = 0;
@@ -98,8 +99,9 @@ TEST(SrgbReflectance, IsExactAcrossTheCube) {
 }
 
 TEST(SrgbReflectance, IsExactAtTheEdgesOfTheCube) {
-    for (const char* text : {"FFFFFE", "FFFEFF", "FEFFFF", "FFFFFD", "FFF0FF", "010000", "000100", "000001", "0000FF",
-                             "00FF00", "FF0000", "FFFF00", "00FFFF", "FF00FF", "FEFEFE", "010101", "FF0001"})
+    for (const char* text :
+         {"FFFFFE", "FFFEFF", "FEFFFF", "FFFFFD", "FFF0FF", "010000", "000100", "000001", "0000FF", "00FF00",
+          "FF0000", "FFFF00", "00FFFF", "FF00FF", "FEFEFE", "010101", "FF0001"})
         expect_exact(*parse_srgb_code(text));
 }
 
