@@ -1,0 +1,99 @@
+// metamer check: exhibits, atlases and spectra: valid, or what is wrong and where.
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "atlas/atlas_file.h"
+#include "base/error.h"
+#include "base/names.h"
+#include "commands/command_line.h"
+#include "commands/commands.h"
+#include "exhibit/load.h"
+#include "render/half_view.h"
+#include "spectra/csv.h"
+
+namespace metamer {
+
+namespace {
+
+// Each returns what a valid file holds, in a few words.
+
+std::string check_exhibit(const std::string& path, std::vector<std::string>& warnings) {
+    const Exhibit exhibit = load_exhibit(path, {}, &warnings);
+    half_views(exhibit, build_scene(exhibit), exhibit.display.width_px); // an adaptation that cannot be
+    return "exhibit, " + std::to_string(exhibit.objects.size()) + " objects, " +
+           std::to_string(exhibit.lamps.size()) + (exhibit.lamps.size() == 1 ? " lamp" : " lamps");
+}
+
+std::string check_atlas(const std::string& path) {
+    const Atlas atlas = read_atlas(path);
+    int lamps = 0, materials = 0;
+    for (const AtlasLamp& lamp : atlas.lamps)
+        lamps += lamp.name.empty() ? 0 : 1;
+    for (const AtlasMaterial& material : atlas.materials)
+        materials += material.name.empty() ? 0 : 1;
+    return "atlas, " + std::to_string(lamps) + " lamps, " + std::to_string(materials) + " materials";
+}
+
+// The file does not say whether its values are powers or reflectances: everything a reflectance may be, a
+// power may be.
+std::string check_spectra(const std::string& path, std::vector<std::string>& warnings) {
+    const SpectrumTable table = read_spectra(path, SpectrumKind::emission);
+    std::string use = "for lamps and materials";
+    try {
+        read_spectra(path, SpectrumKind::reflectance);
+    } catch (const Error& error) {
+        use = "for lamps (for materials: " + error.cause() + ")";
+        for (const std::string& name : table.names)
+            find_lamp(path + "#" + name, ".", &warnings);
+    }
+    return "spectra, " + std::to_string(table.names.size()) +
+           (table.names.size() == 1 ? " column, " : " columns, ") + use;
+}
+
+std::string check_file(const std::string& path, std::vector<std::string>& warnings) {
+    const std::string kind = lower_case(std::filesystem::path(path).extension().string());
+    if (kind == ".ini")
+        return check_exhibit(path, warnings);
+    if (kind == ".png")
+        return check_atlas(path);
+    if (kind == ".csv" || kind == ".txt")
+        return check_spectra(path, warnings);
+    throw bad_input("check", path,
+                    "its name ends in none of .ini (exhibit), .png (atlas), .csv and .txt (spectra)");
+}
+
+// All files are looked at, whatever is wrong with the first.
+void run(const std::vector<std::string>& files) {
+    std::size_t wrong = 0;
+    for (const std::string& file : files) {
+        std::vector<std::string> warnings;
+        try {
+            const std::string what = check_file(file, warnings);
+            warn(warnings);
+            std::cout << file << ": valid (" << what << ")\n";
+        } catch (const Error& error) {
+            if (error.status() != Exit::bad_input)
+                throw;
+            std::cerr << "metamer: " << error.what() << '\n';
+            ++wrong;
+        }
+    }
+    if (wrong > 0)
+        throw bad_input("accept", std::to_string(wrong) + " of " + std::to_string(files.size()) + " files",
+                        "see above");
+}
+
+} // namespace
+
+void add_check_command(CLI::App& app) {
+    auto files = std::make_shared<std::vector<std::string>>();
+    CLI::App* command =
+        app.add_subcommand("check", "exhibits, atlases, spectra: valid, or what is wrong and where");
+    command->add_option("files", *files, "exhibits (.ini), atlases (.png), spectra (.csv, .txt)")
+        ->required()
+        ->type_name("FILE...");
+    command->callback([files] { run(*files); });
+}
+
+} // namespace metamer

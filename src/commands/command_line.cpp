@@ -1,0 +1,55 @@
+#include "commands/command_line.h"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "commands/commands.h"
+#include "exhibit/load.h"
+
+namespace metamer {
+
+void add_commands(CLI::App& app) {
+    add_render_command(app);
+    add_measure_command(app);
+    add_atlas_command(app);
+    add_check_command(app);
+    add_info_command(app);
+    add_list_command(app);
+}
+
+void add_exhibit_arguments(CLI::App& command, ExhibitArguments& arguments) {
+    command.add_option("exhibit", arguments.path, "exhibit as INI file (default: the built-in crayons)")
+        ->type_name("EXHIBIT.ini");
+    command.add_option("--set", arguments.sets, "override a key of the exhibit, e.g. lamp.1.spectrum=F11")
+        ->type_name("section.key=value")
+        ->take_all()
+        ->allow_extra_args(false);
+}
+
+void warn(const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings)
+        std::cerr << "metamer: warning: " << warning << '\n';
+}
+
+Exhibit load(const ExhibitArguments& arguments) {
+    std::vector<std::string> warnings;
+    Exhibit exhibit = arguments.path.empty() ? default_exhibit(arguments.sets, &warnings)
+                                             : load_exhibit(arguments.path, arguments.sets, &warnings);
+    warn(warnings);
+    return exhibit;
+}
+
+void print_json(const nlohmann::ordered_json& document) {
+    std::cout << document.dump(2) << '\n';
+}
+
+void check_output(const std::filesystem::path& path) {
+    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    if (!std::filesystem::is_directory(folder))
+        throw bad_input("write", path.string(), "there is no folder " + folder.string());
+    if (std::filesystem::is_directory(path))
+        throw bad_input("write", path.string(), "it is a folder");
+}
+
+} // namespace metamer

@@ -1,0 +1,35 @@
+// What several commands share of their command lines.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "exhibit/exhibit.h"
+
+namespace metamer {
+
+/// An exhibit as commands name it: [EXHIBIT.ini] [--set section.key=value]...
+struct ExhibitArguments {
+    std::string path; ///< empty: the built-in exhibit
+    std::vector<std::string> sets;
+};
+
+void add_exhibit_arguments(CLI::App& command, ExhibitArguments& arguments);
+
+/// Loads it; doubts go to stderr as `metamer: warning: ...`.
+Exhibit load(const ExhibitArguments& arguments);
+
+/// Prints warnings as load() does.
+void warn(const std::vector<std::string>& warnings);
+
+/// One JSON document on stdout.
+void print_json(const nlohmann::ordered_json& document);
+
+/// Refuses an output path that cannot be written, before any work is done: no such folder, or a folder
+/// itself.
+void check_output(const std::filesystem::path& path);
+
+} // namespace metamer

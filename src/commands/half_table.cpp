@@ -1,0 +1,74 @@
+#include "commands/half_table.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "base/error.h"
+#include "color/difference.h"
+#include "methods/pair.h"
+#include "render/half_view.h"
+#include "spectra/library.h"
+
+namespace metamer {
+
+namespace {
+
+// The color that the display gives to one half's code values, before clamping.
+Xyz shown(const Exhibit& exhibit, const HalfView& view, const ObjectSetting& object) {
+    const Method method = method_of(exhibit, view.half, object);
+    const Xyz pair =
+        pair_xyz(method, view.lamps.front().emission, reflectance(exhibit.atlas, object.material.key),
+                 observer(exhibit.atlas), view.output);
+    const LinearRgb rgb = to_linear_rgb(view.output.adapted_rgb_from_xyz(), pair);
+    return to_xyz(xyz_from_rgb(*exhibit.display.working_space).value(), rgb);
+}
+
+Exhibit under_lamp(Exhibit exhibit, const std::string& name) {
+    LampSetting setting;
+    setting.lamp = find_lamp(name);
+    setting.key = add_lamp(exhibit.atlas, setting.lamp);
+    exhibit.lamps = {setting};
+    return exhibit;
+}
+
+HalfDifference difference_under(const Exhibit& exhibit, const std::string& lamp) {
+    const Exhibit lit = under_lamp(exhibit, lamp);
+    Scene scene; // its shapes do not matter here
+    scene.lamp_directions.emplace_back(0, 0, 1);
+    const auto views = half_views(lit, scene, 2);
+    HalfDifference out{.lamp = lamp, .mean = 0, .greatest = -1, .worst_material = {}};
+    for (const ObjectSetting& object : lit.objects) {
+        const double difference = delta_e_2000(shown(lit, views[0], object), shown(lit, views[1], object));
+        out.mean += difference / static_cast<double>(lit.objects.size());
+        if (difference > out.greatest) {
+            out.greatest = difference;
+            out.worst_material = object.material.material.name;
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+std::vector<HalfDifference> half_differences(const Exhibit& exhibit) {
+    if (!exhibit.compare)
+        throw bad_input("compare the halves of", exhibit.place, "it has no section [compare]");
+    std::vector<HalfDifference> out;
+    for (const std::string& lamp : thesis_lamps())
+        out.push_back(difference_under(exhibit, lamp));
+    return out;
+}
+
+std::string half_table(const Exhibit& exhibit) {
+    std::string out = "CIEDE2000 between the two halves, all materials of " + exhibit.place + "\n" +
+                      "lamp          mean   greatest  material\n";
+    for (const HalfDifference& row : half_differences(exhibit)) {
+        char line[160];
+        std::snprintf(line, sizeof line, "%-12s %5.2f   %8.2f  %s\n", row.lamp.c_str(), row.mean,
+                      row.greatest, row.worst_material.c_str());
+        out += line;
+    }
+    return out;
+}
+
+} // namespace metamer
