@@ -19,24 +19,23 @@ namespace metamer {
 
 using Vec3 = std::array<double, 3>;
 
-inline constexpr int kMostLamps = 8; ///< lamps a frame may have
-inline constexpr int kMostShadows =
-    4; ///< lamps of them that may cast shadows (varyings, DESIGN.md section 5)
+inline constexpr int kMostLamps = 8;   ///< lamps a frame may have
+inline constexpr int kMostShadows = 4; ///< of them may cast shadows (varyings, DESIGN.md section 5)
 
 /// [display]
 struct Display {
     int width_px = 1280;
     int height_px = 720;
     const WorkingSpace* working_space = &working_spaces()[0];
-    std::optional<Matrix3>
-        matrix; ///< own linear RGB of XYZ instead of the working space's; a half's working space beats it
+    /// Own linear RGB of XYZ instead of the working space's; a half's working space beats it.
+    std::optional<Matrix3> matrix;
     Transfer transfer = Transfer::srgb;
     Adaptation adaptation = Adaptation::none;
     int supersample = 1; ///< each pixel from this many squared, averaged in light: 1, 2
 };
 
-/// I(d) = 1 / (constant + linear d + quadratic d^2), d in scene units from the lamp; a directional lamp has d
-/// = 0.
+/// I(d) = 1 / (constant + linear d + quadratic d^2), d in scene units from the lamp. Only point lamps have
+/// one.
 struct Falloff {
     double constant = 1, linear = 0, quadratic = 0;
 };

@@ -66,8 +66,8 @@ char* next_line(char* buffer, int size, void* user) {
     if (parse.fault_line != 0)
         return nullptr;
     note_section(parse, text);
-    std::memcpy(buffer, text.data(), text.size());
-    std::memcpy(buffer + text.size(), "\n", 2);
+    char* end_of_text = std::ranges::copy(text, buffer).out;
+    std::memcpy(end_of_text, "\n", 2);
     return buffer;
 }
 

@@ -51,6 +51,9 @@ std::string unknown_section(std::string_view section);
 /// `unknown key "strenght" in [lamp.1]; did you mean "strength"?`
 std::string unknown_key(std::string_view section, std::string_view key);
 
+/// A number for people: 1000000 rather than 1e+06.
+std::string plain_number(double value);
+
 /// What a value may be, for people: `16 .. 4096 px`, `rgb, tristimulus, spectral`.
 std::string range_text(const KeyInfo& info);
 

@@ -1,6 +1,8 @@
 // The table of keys in words.
 #include "exhibit/keys.h"
 
+#include <cmath>
+
 #include "base/numbers.h"
 
 namespace metamer {
@@ -8,7 +10,7 @@ namespace metamer {
 namespace {
 
 std::string numbers_text(const KeyInfo& info) {
-    const std::string range = to_text(info.least) + " .. " + to_text(info.most);
+    const std::string range = plain_number(info.least) + " .. " + plain_number(info.most);
     const std::string unit = info.unit.empty() ? "" : " " + std::string(info.unit);
     return info.count == 1 ? range + unit : std::to_string(info.count) + " numbers, " + range + unit;
 }
@@ -21,6 +23,10 @@ std::string choices_text(const KeyInfo& info) {
 }
 
 } // namespace
+
+std::string plain_number(double value) {
+    return value == std::floor(value) ? std::to_string(static_cast<long>(value)) : to_text(value);
+}
 
 std::string range_text(const KeyInfo& info) {
     switch (info.kind) {

@@ -23,9 +23,9 @@ Error out_of_range(const Setting& setting, const std::string& why) {
 void check_range(const Setting& setting, double value) {
     const std::string which = setting.info->count == 1 ? "is" : "has " + to_text(value) + ", which is";
     if (value < setting.info->least)
-        throw out_of_range(setting, which + " below " + to_text(setting.info->least));
+        throw out_of_range(setting, which + " below " + plain_number(setting.info->least));
     if (value > setting.info->most)
-        throw out_of_range(setting, which + " above " + to_text(setting.info->most));
+        throw out_of_range(setting, which + " above " + plain_number(setting.info->most));
 }
 
 /// A name without what people vary: "sRGB (D65)" is "sRGB-D65".

@@ -1,0 +1,54 @@
+// Shared by the exhibit's tests: a text's exhibit, its error, a folder that goes away.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include "base/error.h"
+#include "exhibit/load.h"
+
+namespace metamer {
+
+/// The message of what `run` throws, which must be bad input; "no error" without one.
+template <class F>
+std::string error_of(F run) {
+    try {
+        run();
+    } catch (const Error& error) {
+        return error.status() == Exit::bad_input ? error.what()
+                                                 : std::string("other status: ") + error.what();
+    }
+    return "no error";
+}
+
+/// config/ as the place of a text: its maps can be named.
+inline std::filesystem::path config_folder() {
+    return std::filesystem::path(METAMER_SOURCE_DIR) / "config";
+}
+
+inline Exhibit exhibit_of(const std::string& text, const std::vector<std::string>& sets = {},
+                          std::vector<std::string>* warnings = nullptr) {
+    return parse_exhibit(text, "k.ini", config_folder(), sets, warnings);
+}
+
+/// A folder of the test's own, removed at its end.
+class TestFolder {
+public:
+    TestFolder() {
+        path_ = std::filesystem::temp_directory_path() / ("metamer-exhibit-" + std::to_string(::getpid()));
+        std::filesystem::create_directories(path_);
+    }
+    ~TestFolder() { std::filesystem::remove_all(path_); }
+    TestFolder(const TestFolder&) = delete;
+    TestFolder& operator=(const TestFolder&) = delete;
+
+    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+} // namespace metamer
