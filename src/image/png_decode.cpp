@@ -107,7 +107,8 @@ void check_header(const Header& header, PngLayout layout, const std::string& pla
     if (header.width > most || header.height > most)
         throw bad_input("read", place,
                         "it has " + std::to_string(header.width) + " x " + std::to_string(header.height) +
-                            " pixels; at most 4096 x 4096 are read");
+                            " pixels; at most " + std::to_string(most) + " x " + std::to_string(most) +
+                            " are read");
     if (layout == PngLayout::rgba8_only &&
         (header.bits != 8 || header.color_type != PNG_COLOR_TYPE_RGB_ALPHA))
         throw bad_input("read", place, "it has " + layout_name(header) + "; 8-bit RGBA is needed");

@@ -13,8 +13,8 @@ namespace metamer {
 
 namespace {
 
-// Level 6 is zlib's own middle: a 1280 x 720 frame costs a tenth of a second. Named, so that no other default
-// of some build of libpng changes the bytes.
+// Zlib's own middle between speed and size. Named, so that no other default of some build of libpng changes
+// the bytes.
 constexpr int kZlibLevel = 6;
 
 void write_bytes(png_structp png, png_bytep from, std::size_t count) {
@@ -66,7 +66,8 @@ void check_image(const Image& image) {
     const auto fits = [](int side) { return side >= 1 && side <= kMostPixels; };
     const std::string size = std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels";
     if (!fits(image.width) || !fits(image.height))
-        throw refusal(size + " are outside 1 x 1 .. 4096 x 4096");
+        throw refusal(size + " are outside 1 x 1 .. " + std::to_string(kMostPixels) + " x " +
+                      std::to_string(kMostPixels));
     const std::size_t needed =
         std::size_t{4} * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     if (image.rgba.size() != needed)

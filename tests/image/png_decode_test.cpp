@@ -159,6 +159,23 @@ TEST(DecodePng, BoundsTexts) {
               "2: cannot read a.png: it is damaged (tEXt: chunk data is too large)");
 }
 
+// The pixels of a black picture, passed off as text: a few kilobytes that unpack to 4 * 512 * rows.
+std::string packed_text(int rows) {
+    Png black;
+    black.image = {512, rows, std::vector<std::uint8_t>(4u * 512 * static_cast<unsigned>(rows))};
+    std::string packed;
+    for (const Chunk& c : chunks_of(encode_png(black, true)))
+        packed += c.type == "IDAT" ? c.data : "";
+    return chunk("zTXt", "Comment\0\0"s + packed);
+}
+
+TEST(DecodePng, BoundsTextThatUnpacks) {
+    EXPECT_LT(packed_text(1024).size(), 10000u);
+    EXPECT_EQ(refused(two_pixels(packed_text(500))), "no error");
+    EXPECT_EQ(refused(two_pixels(packed_text(1024))),
+              "2: cannot read a.png: it is damaged (zTXt: truncated)");
+}
+
 TEST(DecodePng, ReadsColorChunks) {
     const Png plain = decode_png(two_pixels(), "a.png");
     EXPECT_FALSE(plain.color.srgb);
