@@ -142,6 +142,12 @@ TEST_F(Find, WarnsOfMaterialsThatLeaveOutPartOfTheGrid) {
     EXPECT_THAT(warnings,
                 ElementsAre("short.csv: it covers 450..650 nm only; its end values are held beyond"));
     warnings.clear();
+    write("red.csv", "nm,a\n450,0.5\n700,0.5\n");
+    find_material("red.csv", folder.string(), &warnings);
+    write("blue.csv", "nm,a\n400,0.5\n650,0.5\n");
+    find_material("blue.csv", folder.string(), &warnings);
+    EXPECT_THAT(warnings, ElementsAre(testing::HasSubstr("450..700"), testing::HasSubstr("400..650")));
+    warnings.clear();
     write("full.csv", "nm,a\n400,0.5\n700,0.5\n");
     find_material("full.csv", folder.string(), &warnings);
     EXPECT_THAT(warnings, IsEmpty());

@@ -146,6 +146,14 @@ TEST(Blackbody, HasThePowersOfPlancksLaw) {
             EXPECT_TRUE(std::isfinite(v) && v > 0) << edge_k;
 }
 
+TEST(Illuminants, ComputeTheThesisLampsAtTheirTemperatures) {
+    const auto values = [](const char* name) { return find_lamp(name).spectrum.continuum.value; };
+    EXPECT_EQ(values("D4000"), daylight(4000).value);
+    EXPECT_EQ(values("D25000"), daylight(25000).value);
+    EXPECT_EQ(values("A2800"), blackbody(2800).value);
+    EXPECT_EQ(values("A3200"), blackbody(3200).value);
+}
+
 TEST(Krypton, IsLinesOnly) {
     const Lamp lamp = find_lamp("krypton");
     EXPECT_TRUE(lamp.spectrum.continuum.value.empty());
