@@ -22,6 +22,9 @@ float visible_share(vec4 shadow, vec3 tile) {
     float depth = p.z - tile.z;
     vec4 lit = step(vec4(depth), vec4(depth_at(st), depth_at(st + vec2(step_st, 0.0)), depth_at(st + vec2(0.0, step_st)),
                                       depth_at(st + vec2(step_st, step_st))));
-    return mix(mix(lit.x, lit.y, t.x), mix(lit.z, lit.w, t.x), t.y);
+    float visible = mix(mix(lit.x, lit.y, t.x), mix(lit.z, lit.w, t.x), t.y);
+    // What the lamp's tile does not show stands in no shadow; w < 0 is behind the lamp.
+    vec3 beyond = abs(p - 0.5);
+    return max(beyond.x, max(beyond.y, beyond.z)) < 0.5 && shadow.w > 0.0 ? visible : 1.0;
 }
 #endif

@@ -12,7 +12,8 @@ namespace {
 template <class T>
 std::optional<T> parse(std::string_view text) {
     text = trimmed(text);
-    if (text.starts_with('+'))
+    // from_chars knows no plus; one before a minus is no number.
+    if (text.starts_with('+') && !text.starts_with("+-"))
         text.remove_prefix(1);
     T value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -12,8 +12,8 @@ namespace {
 
 enum Unit { kAtlasUnit, kKeyUnit, kLuminanceUnit, kNormalUnit, kMaterialUnit, kShadowUnit };
 
-/// What stands behind the scene: a dark neutral, so that no color is seen beside another's.
-constexpr float kBackground = 0.035f;
+/// What stands behind the scene: a dark neutral, against which black things still show.
+constexpr float kBackground = 0.17f;
 
 /// The line over the split: mid gray stands out from dark and bright colors alike.
 constexpr float kLine = 0.55f;

@@ -1,0 +1,78 @@
+#include "base/files.h"
+
+#include <filesystem>
+#include <functional>
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include "base/error.h"
+
+namespace metamer {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class Files : public testing::Test {
+protected:
+    Files() : folder_(fs::temp_directory_path() / ("metamer-files-" + std::to_string(::getpid()))) {
+        fs::create_directories(folder_);
+    }
+    ~Files() override { fs::remove_all(folder_); }
+
+    std::size_t entries() const {
+        return static_cast<std::size_t>(
+            std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+    }
+
+    fs::path folder_;
+};
+
+std::string message_of(const std::function<void()>& call) {
+    try {
+        call();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST_F(Files, WhatIsWrittenIsRead) {
+    const std::string bytes("a\0b\n\xff", 5);
+    write_file(folder_ / "f", bytes);
+    EXPECT_EQ(read_file(folder_ / "f"), bytes);
+    EXPECT_EQ(entries(), 1u) << "the part file is gone";
+}
+
+TEST_F(Files, WritingReplaces) {
+    write_file(folder_ / "f", "long text");
+    write_file(folder_ / "f", "short");
+    EXPECT_EQ(read_file(folder_ / "f"), "short");
+}
+
+TEST_F(Files, RefusesByName) {
+    EXPECT_THAT(message_of([&] { read_file(folder_ / "none"); }), HasSubstr("none: there is no such file"));
+    EXPECT_THAT(message_of([&] { read_file(folder_); }), HasSubstr("it is a folder"));
+    EXPECT_THAT(message_of([&] { write_file(folder_ / "no" / "f", "x"); }), HasSubstr("there is no folder"));
+    EXPECT_THAT(message_of([&] { write_file(folder_, "x"); }), HasSubstr("it is a folder"));
+    EXPECT_EQ(entries(), 0u);
+}
+
+TEST_F(Files, RefusesWhatIsTooLong) {
+    write_file(folder_ / "f", "12345");
+    EXPECT_EQ(read_file(folder_ / "f", 5), "12345");
+    EXPECT_THAT(message_of([&] { read_file(folder_ / "f", 4); }), HasSubstr("it is over 4 bytes"));
+}
+
+// A full disk: /dev/full takes no byte. Renaming onto it cannot be tried, so the failure must come from
+// writing.
+TEST_F(Files, AFailedWriteLeavesNothing) {
+    const std::string link = (folder_ / ("f.part." + std::to_string(::getpid()))).string();
+    fs::create_symlink("/dev/full", link);
+    EXPECT_THAT(message_of([&] { write_file(folder_ / "f", std::string(1 << 20, 'x')); }),
+                HasSubstr("cannot write"));
+    EXPECT_EQ(entries(), 0u);
+}
+
+} // namespace
+} // namespace metamer
