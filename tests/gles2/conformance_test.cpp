@@ -1,0 +1,178 @@
+// Every shader variant that a frame may ask for is OpenGL ES 2 as the oldest GPUs have it (DESIGN.md section
+// 5), not only as the driver at hand takes it.
+#include <algorithm>
+#include <cctype>
+#include <gmock/gmock.h>
+
+#include "base/error.h"
+#include "gles/info.h"
+#include "gles2/gl_test.h"
+#include "gles2/glslang.h"
+#include "gles2/source_facts.h"
+#include "render/variants.h"
+
+namespace metamer {
+namespace {
+
+using test::Declaration;
+using test::Stage;
+using testing::IsEmpty;
+using testing::Le;
+
+constexpr int kVertexUniformVectors = 128; ///< ES 2's floor
+constexpr int kVaryingVectors = 8;         ///< ES 2's floor
+constexpr int kTextureUnits = 8;           ///< ES 2's floor
+constexpr int kAttributes = 8;             ///< ES 2's floor
+
+/// ES 2's floor up to two lamps, above what all old GPUs that were seen offer.
+int fragment_uniform_budget(int lamps) {
+    return lamps <= 2 ? 16 : 64;
+}
+
+struct Stages {
+    std::string name;
+    int lamps;
+    ComposedShader vertex, fragment;
+    std::vector<std::string> vertex_tokens, fragment_tokens; ///< preprocessed
+};
+
+int lamps_of(const ShaderVariant& variant) {
+    for (const auto& [name, value] : variant.defines)
+        if (name == "LAMPS")
+            return std::stoi(value);
+    return 0;
+}
+
+std::vector<test::GlslangInput> inputs_of(const std::vector<Stages>& all) {
+    std::vector<test::GlslangInput> inputs;
+    for (const Stages& stages : all) {
+        inputs.push_back({stages.name, Stage::vertex, stages.vertex.text});
+        inputs.push_back({stages.name, Stage::fragment, stages.fragment.text});
+    }
+    return inputs;
+}
+
+/// Every variant composed; with `mediump`, as a GPU without fragment highp sees it.
+std::vector<Stages> composed(bool mediump = false) {
+    std::vector<Stages> all;
+    for (const ShaderVariant& variant : shader_variants()) {
+        Stages stages{variant.name,
+                      lamps_of(variant),
+                      compose_shader(variant.vertex, variant.defines, shader_files()),
+                      compose_shader(variant.fragment, variant.defines, shader_files()),
+                      {},
+                      {}};
+        const std::string highp = "GL_FRAGMENT_PRECISION_HIGH";
+        std::string& text = stages.fragment.text;
+        for (std::size_t at = 0; mediump && (at = text.find(highp, at)) != std::string::npos;)
+            text.replace(at, highp.size(), "METAMER_NO_SUCH_PRECISION_");
+        all.push_back(std::move(stages));
+    }
+    return all;
+}
+
+const std::vector<Stages>& preprocessed() {
+    static const std::vector<Stages> all = [] {
+        std::vector<Stages> stages = composed();
+        const std::vector<std::string> texts = test::glslang_preprocessed(inputs_of(stages));
+        for (std::size_t i = 0; i < stages.size(); ++i) {
+            stages[i].vertex_tokens = test::tokens(texts[2 * i]);
+            stages[i].fragment_tokens = test::tokens(texts[2 * i + 1]);
+        }
+        return stages;
+    }();
+    return all;
+}
+
+TEST(Variants, HaveNamesOfTheirOwnForFiles) {
+    std::vector<std::string> names;
+    for (const ShaderVariant& variant : shader_variants()) {
+        names.push_back(variant.name);
+        for (const char c : variant.name)
+            EXPECT_TRUE(std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_')
+                << variant.name;
+    }
+    EXPECT_FALSE(names.empty());
+    std::sort(names.begin(), names.end());
+    EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
+}
+
+using VariantsInContext = test::GlTest;
+
+/// Compiles and links, and the counting below has seen everything that the driver sees.
+TEST_F(VariantsInContext, CompileAndLink) {
+    for (const Stages& stages : preprocessed()) {
+        SCOPED_TRACE(stages.name);
+        std::vector<Declaration> declared = test::declarations(stages.vertex_tokens);
+        const std::vector<Declaration> fragment = test::declarations(stages.fragment_tokens);
+        declared.insert(declared.end(), fragment.begin(), fragment.end());
+        try {
+            const Program program(stages.vertex, stages.fragment, kMeshAttributes);
+            for (const ActiveUniform& active : program.active_uniforms()) {
+                const auto same = [&](const Declaration& d) {
+                    return d.qualifier == "uniform" && d.name == active.name && d.size >= active.size;
+                };
+                EXPECT_TRUE(std::any_of(declared.begin(), declared.end(), same)) << active.name;
+            }
+        } catch (const Error& error) {
+            ADD_FAILURE() << error.what();
+        }
+    }
+}
+
+TEST_F(VariantsInContext, CompileAndLinkWithoutHighp) {
+    for (const Stages& stages : composed(true)) {
+        SCOPED_TRACE(stages.name);
+        EXPECT_NO_THROW(Program(stages.vertex, stages.fragment, kMeshAttributes));
+    }
+}
+
+TEST_F(VariantsInContext, StayWithinWhatTheContextOffers) {
+    const GlLimits limits = gl_info().limits;
+    for (const Stages& stages : preprocessed()) {
+        SCOPED_TRACE(stages.name);
+        const auto vertex = test::declarations(stages.vertex_tokens);
+        const auto fragment = test::declarations(stages.fragment_tokens);
+        EXPECT_THAT(vectors(fragment, "uniform"), Le(limits.max_fragment_uniform_vectors));
+        EXPECT_THAT(vectors(vertex, "uniform"), Le(limits.max_vertex_uniform_vectors));
+        EXPECT_THAT(vectors(vertex, "varying"), Le(limits.max_varying_vectors));
+        EXPECT_THAT(samplers(fragment), Le(limits.max_texture_image_units));
+    }
+}
+
+TEST(Variants, StayWithinTheBudgetsOfEs2) {
+    for (const Stages& stages : preprocessed()) {
+        SCOPED_TRACE(stages.name);
+        const auto vertex = test::declarations(stages.vertex_tokens);
+        const auto fragment = test::declarations(stages.fragment_tokens);
+        EXPECT_THAT(vectors(fragment, "uniform"), Le(fragment_uniform_budget(stages.lamps)));
+        EXPECT_THAT(vectors(vertex, "uniform"), Le(kVertexUniformVectors));
+        EXPECT_THAT(vectors(vertex, "varying"), Le(kVaryingVectors));
+        EXPECT_THAT(vectors(fragment, "varying"), Le(kVaryingVectors));
+        EXPECT_THAT(vectors(vertex, "attribute"), Le(kAttributes));
+        EXPECT_THAT(samplers(fragment), Le(kTextureUnits));
+        EXPECT_EQ(samplers(vertex), 0);
+    }
+}
+
+TEST(Variants, KeepTheRulesOfTheHouse) {
+    for (const Stages& stages : preprocessed()) {
+        EXPECT_THAT(test::broken_rules(Stage::vertex, stages.vertex_tokens), IsEmpty()) << stages.name;
+        EXPECT_THAT(test::broken_rules(Stage::fragment, stages.fragment_tokens), IsEmpty()) << stages.name;
+        EXPECT_NE(
+            stages.fragment.text.find("#ifdef GL_FRAGMENT_PRECISION_HIGH\nprecision highp float;\n#else\n"
+                                      "precision mediump float;\n#endif\n"),
+            std::string::npos)
+            << stages.name << " does not choose its precision";
+        EXPECT_EQ(stages.vertex.text.find("#extension"), std::string::npos) << stages.name;
+        EXPECT_EQ(stages.fragment.text.find("#extension"), std::string::npos) << stages.name;
+    }
+}
+
+TEST(Variants, AreEssl100ToGlslang) {
+    EXPECT_EQ(test::glslang_complaints(inputs_of(composed())), "");
+    EXPECT_EQ(test::glslang_complaints(inputs_of(composed(true))), "");
+}
+
+} // namespace
+} // namespace metamer
