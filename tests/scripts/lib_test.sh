@@ -1,0 +1,56 @@
+#!/bin/bash
+# scripts/lib.sh: a failed step is one line that names the step, the cause and the log; packages come from one list.
+set -uo pipefail
+# shellcheck source=tests/scripts/expect.sh
+. "$(dirname "$0")/expect.sh"
+mkdir -p "$scratch/tree/scripts" "$scratch/bin"
+cp "$scripts/lib.sh" "$scripts/packages" "$scratch/tree/scripts/"
+
+# in_lib COMMAND: stdout and stderr of COMMAND in a script named `sample` that has sourced the library.
+in_lib() {
+    printf 'set -euo pipefail\n. "%s/tree/scripts/lib.sh"\n%s\n' "$scratch" "$1" >"$scratch/sample"
+    bash "$scratch/sample" 2>&1
+}
+
+# fails_with CAUSE LOG: a step whose command prints LOG (printf's language) and fails.
+fails_with() {
+    expect "cause in $2" \
+        "$(printf 'sample: build it\nsample: cannot build it: %s (the full log: %s)' "$1" "$scratch/tree/out/logs/sample-x.log")" \
+        "$(in_lib "say() { printf '$2'; return 7; }; step x 'build it' say; echo not reached")"
+}
+fails_with "a.cpp:3:1: error: bad thing" 'Looking for it - not found\na.cpp:3:1: error: bad thing\n   3 | bad\n'
+fails_with "CMake Error at CMakeLists.txt:3: there is no glm" 'CMake Error at CMakeLists.txt:3:\n\n  there is no glm\n\n  more'
+fails_with "E: Unable to locate package x" 'Reading...\nE: Unable to locate package x\n'
+fails_with "metamer: cannot read a.ini: gone" 'metamer: cannot read a.ini: gone\nmore\n'
+fails_with "last words" 'first\nlast words\n\n'
+fails_with "it said nothing" ''
+
+expect "a good step is one line" "sample: build it" "$(in_lib "step x 'build it' echo done")"
+expect "its log" "done" "$(cat "$scratch/tree/out/logs/sample-x.log")"
+expect "a step runs in the tree" "$scratch/tree" \
+    "$(cd / && in_lib "step x y pwd" >/dev/null; cat "$scratch/tree/out/logs/sample-x.log")"
+
+# A machine that has only cmake, and of ninja-build the configuration alone.
+cat >"$scratch/bin/dpkg-query" <<'QUERY'
+#!/bin/bash
+echo "installed cmake"
+echo "config-files ninja-build"
+exit 1
+QUERY
+printf '#!/bin/bash\necho 1000\n' >"$scratch/bin/id"
+chmod +x "$scratch/bin/dpkg-query" "$scratch/bin/id"
+for tool in bash basename dirname readlink awk sed grep paste; do
+    ln -s "$(command -v $tool)" "$scratch/bin/$tool"
+done
+printf '# a\ng++ build x\ncmake build x\nninja-build build x\nlibegl1 run x\nlibgtest-dev test x\n' \
+    >"$scratch/tree/scripts/packages"
+expect "neither root nor sudo" \
+    "sample: cannot install packages: neither root nor sudo; as root: apt-get install g++ ninja-build libegl1" \
+    "$(PATH=$scratch/bin in_lib "install_packages build run")"
+expect "nothing missing" "" "$(printf 'cmake build x\n' >"$scratch/tree/scripts/packages"; PATH=$scratch/bin in_lib "install_packages build")"
+rm "$scratch/bin/dpkg-query"
+expect_has "no dpkg" "taking for granted" "$(PATH=$scratch/bin in_lib "install_packages build")"
+
+expect "every package has a group and a reason" "" \
+    "$(awk '!/^#/ && (NF < 3 || $2 !~ /^(build|run|test|ci)$/)' "$scripts/packages")"
+done_expecting
