@@ -23,8 +23,8 @@ struct Published {
     double x, y;
 };
 
-// CIE 15:2004: A, C, D50, D55, D65, D75 Table T.3, F1-F12 Table T.8 (the captions of T.6), HP1-HP5 Table T.7;
-// B: Wyszecki and Stiles (1982); LED-*: CIE 15:2018. All for the 2-degree observer.
+// CIE 15:2004: A, C, D50, D55, D65, D75 Table T.3, F1-F12 Table T.6, HP1-HP5 Table T.7; B: Wyszecki and
+// Stiles (1982); LED-*: CIE 15:2018. All for the 2-degree observer.
 constexpr Published kPublished[] = {
     {"A", 0.44758, 0.40745},     {"B", 0.34842, 0.35161},       {"C", 0.31006, 0.31616},
     {"D50", 0.34567, 0.35851},   {"D55", 0.33243, 0.34744},     {"D65", 0.31272, 0.32903},
