@@ -20,10 +20,13 @@ fails_with() {
 }
 fails_with "a.cpp:3:1: error: bad thing" 'Looking for it - not found\na.cpp:3:1: error: bad thing\n   3 | bad\n'
 fails_with "CMake Error at CMakeLists.txt:3: there is no glm" 'CMake Error at CMakeLists.txt:3:\n\n  there is no glm\n\n  more'
-fails_with "E: Unable to locate package x" 'Reading...\nE: Unable to locate package x\n'
+fails_with "E: Unable to locate package x" 'Reading...\nE: Unable to locate package x\nmore\n'
 fails_with "metamer: cannot read a.ini: gone" 'metamer: cannot read a.ini: gone\nmore\n'
 fails_with "last words" 'first\nlast words\n\n'
 fails_with "it said nothing" ''
+
+in_lib "step x 'build it' false" >/dev/null
+expect "exit status of a failed step" 1 $?
 
 expect "a good step is one line" "sample: build it" "$(in_lib "step x 'build it' echo done")"
 expect "its log" "done" "$(cat "$scratch/tree/out/logs/sample-x.log")"
