@@ -66,11 +66,13 @@ install_packages() {
             fail "cannot install packages: neither root nor sudo; as root: apt-get install $missing"
         as_root=(sudo)
     fi
-    echo "$me: missing, and what they need with them: $missing"
+    echo "$me: missing: $missing"
     local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=120)
     step apt-update "read apt's lists" "${apt[@]}" update
     # shellcheck disable=SC2086 # one word per package is meant
-    step apt-install "install $missing" "${apt[@]}" install -y --no-install-recommends $missing
+    step apt-install "install them, and what they need" "${apt[@]}" install -y --no-install-recommends $missing
+    echo "$me: ... $(grep -c '^Setting up ' "$top/out/logs/$me-apt-install.log") packages, listed in" \
+        "out/logs/$me-apt-install.log"
 }
 
 # jobs: compilers at once: one a core, and a gigabyte of memory for each.

@@ -42,7 +42,7 @@ exit 1
 QUERY
 printf '#!/bin/bash\necho 1000\n' >"$scratch/bin/id"
 chmod +x "$scratch/bin/dpkg-query" "$scratch/bin/id"
-for tool in bash basename dirname readlink awk sed grep paste; do
+for tool in bash basename dirname readlink awk sed grep paste mkdir; do
     ln -s "$(command -v $tool)" "$scratch/bin/$tool"
 done
 printf '# a\ng++ build x\ncmake build x\nninja-build build x\nlibegl1 run x\nlibgtest-dev test x\n' \
@@ -50,6 +50,20 @@ printf '# a\ng++ build x\ncmake build x\nninja-build build x\nlibegl1 run x\nlib
 expect "neither root nor sudo" \
     "sample: cannot install packages: neither root nor sudo; as root: apt-get install g++ ninja-build libegl1" \
     "$(PATH=$scratch/bin in_lib "install_packages build run")"
+
+printf '#!/bin/bash\necho "$*" >>"%s/asked"\necho "Setting up x"\n' "$scratch" | tee "$scratch/bin/env" >"$scratch/bin/sudo"
+chmod +x "$scratch/bin/sudo" "$scratch/bin/env"
+apt="DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=120"
+asked="$apt update
+$apt install -y --no-install-recommends g++ ninja-build libegl1"
+said=$(PATH=$scratch/bin in_lib "install_packages build run")
+expect_has "what is missing" "sample: missing: g++ ninja-build libegl1" "$said"
+expect_has "how many came" "... 1 packages, listed in out/logs/sample-apt-install.log" "$said"
+expect "who is not root asks sudo" "env ${asked//$'\n'/$'\n'env }" "$(cat "$scratch/asked")"
+printf '#!/bin/bash\necho 0\n' >"$scratch/bin/id"
+rm "$scratch/bin/sudo" "$scratch/asked"
+PATH=$scratch/bin in_lib "install_packages build run" >/dev/null
+expect "root asks nobody" "$asked" "$(cat "$scratch/asked")"
 expect "nothing missing" "" "$(printf 'cmake build x\n' >"$scratch/tree/scripts/packages"; PATH=$scratch/bin in_lib "install_packages build")"
 rm "$scratch/bin/dpkg-query"
 expect_has "no dpkg" "taking for granted" "$(PATH=$scratch/bin in_lib "install_packages build")"
