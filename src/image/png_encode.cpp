@@ -143,7 +143,6 @@ std::string encode_png(const Png& png, bool alpha) {
     const png_structp out = writer.png;
     const png_infop info = writer.info;
     const bool done = guarded(out, [&] {
-        png_set_benign_errors(out, 0);
         png_set_compression_level(out, kZlibLevel);
         png_set_filter(out, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);
         png_set_IHDR(out, info, width, height, 8, alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB,

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -54,6 +55,22 @@ TEST(AtlasFile, KeepsEverything) {
         EXPECT_EQ(back.materials[row].name, atlas.materials[row].name);
         EXPECT_EQ(back.materials[row].source, atlas.materials[row].source);
         EXPECT_EQ(back.materials[row].scale, atlas.materials[row].scale);
+    }
+}
+
+TEST(AtlasFile, HoldsAllLampsWithAnySetOfMaterials) {
+    for (const MaterialSet& set : material_sets()) {
+        Atlas atlas = empty_atlas();
+        for (const Lamp& lamp : library_lamps())
+            add_lamp(atlas, lamp);
+        for (const std::string& name : set.materials)
+            add_material(atlas, find_material(name));
+        const Atlas back = decode_atlas(encode_atlas(atlas), "a.png");
+        EXPECT_EQ(back.rgba, atlas.rgba) << set.name;
+        for (const Lamp& lamp : library_lamps())
+            EXPECT_EQ(back.lamps[static_cast<std::size_t>(find_lamp_key(back, lamp.name))].name, lamp.name);
+        EXPECT_EQ(find_material_key(back, set.materials.back()), static_cast<int>(set.materials.size()))
+            << set.name;
     }
 }
 
@@ -220,6 +237,10 @@ TEST(AtlasFile, WritesNothingThatItWouldNotRead) {
     atlas = sample_atlas();
     atlas.lamps[0].name = "observer";
     EXPECT_EQ(error_of([&] { encode_atlas(atlas); }), "2: cannot encode an atlas: row 0 has a name");
+    atlas = sample_atlas();
+    atlas.lamps[1].peak = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(error_of([&] { encode_atlas(atlas); }),
+              "2: cannot encode an atlas: row 1: the peak inf is not a positive number");
 }
 
 TEST(AtlasFile, ReadsFromDisk) {

@@ -62,6 +62,8 @@ TEST(AtlasPicture, BarsHaveTheirWavelengthsColor) {
     EXPECT_LT(blue[0], 128);
     EXPECT_EQ(blue[1], 0);
     EXPECT_THAT(pixel(image, material_x(29), strip_y(1) + 11), ElementsAre(0, 255, 0, 255));
+    // 400 nm: dim to the eye, and as bright as all the others here.
+    EXPECT_EQ(pixel(image, material_x(3), strip_y(1) + 11)[2], 255);
     // The same in the legend above.
     EXPECT_EQ(pixel(image, material_x(13), strip_y(0)), blue);
 }
