@@ -100,7 +100,6 @@ std::string quoted_line(std::string_view text, int number) {
 /// Debian's inih takes its limits from variables; they are set to the same values by every call.
 void set_limits() {
     ini_max_line = kLongestIniLine + 3;
-    ini_allow_multiline = false;
     ini_stop_on_first_error = true;
 }
 

@@ -36,7 +36,7 @@ Image load_map(const Setting& setting) {
 void check_key_map(const Setting& setting, const Image& map, const Atlas& atlas) {
     for (std::size_t i = 0; i < map.rgba.size(); i += 4) {
         const std::size_t key = map.rgba[i];
-        if (key > 0 && key < atlas.materials.size() && !atlas.materials[key].name.empty())
+        if (key < atlas.materials.size() && !atlas.materials[key].name.empty())
             continue;
         const std::size_t x = i / 4 % static_cast<std::size_t>(map.width),
                           y = i / 4 / static_cast<std::size_t>(map.width);

@@ -63,7 +63,7 @@ LampSetting Rows::lamp(const Setting& setting, const std::string& text) {
         std::vector<std::string> doubts;
         LampSetting found;
         found.lamp = find_lamp(text, setting.folder.string(), &doubts);
-        found.key = add(found.lamp, text);
+        found.key = add_lamp(atlas_, found.lamp);
         warn(setting, doubts);
         return found;
     });
@@ -77,33 +77,10 @@ MaterialSetting Rows::material(const Setting& setting, const std::string& text) 
         std::vector<std::string> doubts;
         MaterialSetting found;
         found.material = find_material(text, setting.folder.string(), &doubts);
-        found.key = add(found.material, text);
+        found.key = add_material(atlas_, found.material);
         warn(setting, doubts);
         return found;
     });
-}
-
-// Two files may call their columns alike: the second is known by what the exhibit calls it.
-int Rows::add(Lamp& lamp, const std::string& text) {
-    try {
-        return add_lamp(atlas_, lamp);
-    } catch (const Error&) {
-        if (find_lamp_key(atlas_, lamp.name) == 0 || lamp.name == text)
-            throw;
-        lamp.name = text;
-        return add_lamp(atlas_, lamp);
-    }
-}
-
-int Rows::add(Material& material, const std::string& text) {
-    try {
-        return add_material(atlas_, material);
-    } catch (const Error&) {
-        if (find_material_key(atlas_, material.name) == 0 || material.name == text)
-            throw;
-        material.name = text;
-        return add_material(atlas_, material);
-    }
 }
 
 void Rows::refuse_key(const std::string& text, const std::string& what) const {

@@ -33,8 +33,6 @@ public:
     const Atlas& atlas() const { return atlas_; }
 
 private:
-    int add(Lamp& lamp, const std::string& text);
-    int add(Material& material, const std::string& text);
     void refuse_key(const std::string& text, const std::string& what) const;
     void warn(const Setting& setting, const std::vector<std::string>& doubts);
 

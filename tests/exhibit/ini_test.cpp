@@ -51,7 +51,7 @@ TEST(Ini, KeepsBytesBeyondAscii) {
 }
 
 TEST(Ini, SectionsWithoutValuesAreThere) {
-    const IniFile file = parse_ini("[a]\n[ b ] ; c\nx = 1\n", "a.ini");
+    const IniFile file = parse_ini("\xEF\xBB\xBF[a]\n  [ b ] ; c\nx = 1\n", "a.ini");
     ASSERT_EQ(file.sections.size(), 2u);
     EXPECT_EQ(file.sections[0].name, "a");
     EXPECT_EQ(file.sections[1].name, "b");

@@ -57,10 +57,10 @@ TEST(Load, AMatrixIsWrittenRowByRow) {
 TEST(Load, Lamps) {
     const Exhibit exhibit = exhibit_of("[lamp.2]\nspectrum = f2\nposition = 1 2 3\nfalloff = 1 0.5 0.25\n"
                                        "shadow = yes\nstrength = 0.5\n[lamp.1]\nspectrum = planck:3000\n"
-                                       "direction = 0, -2, 0\n[lamp.3]\n");
+                                       "direction = 4, 0, -3\n[lamp.3]\n");
     ASSERT_EQ(exhibit.lamps.size(), 3u);
     EXPECT_EQ(exhibit.lamps[0].lamp.name, "planck:3000");
-    EXPECT_THAT(*exhibit.lamps[0].direction, ElementsAre(0, -1, 0));
+    EXPECT_THAT(*exhibit.lamps[0].direction, ElementsAre(0.8, 0, -0.6));
     EXPECT_FALSE(exhibit.lamps[0].position);
     EXPECT_EQ(exhibit.lamps[1].lamp.name, "F2");
     EXPECT_THAT(*exhibit.lamps[1].position, ElementsAre(1, 2, 3));
