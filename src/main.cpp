@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "commands/commands.h"
+#include "commands/usage.h"
 
 int main(int argc, char** argv) {
     using metamer::Exit;
@@ -22,7 +23,7 @@ int main(int argc, char** argv) {
     } catch (const CLI::Success& asked) { // --help, --version
         return app.exit(asked);
     } catch (const CLI::ParseError& error) {
-        std::cerr << "metamer: cannot use the command line: " << error.what() << "; see metamer --help\n";
+        std::cerr << "metamer: cannot use the command line: " << metamer::usage_cause(app, error) << '\n';
         return static_cast<int>(Exit::bad_input);
     } catch (const metamer::Error& error) {
         std::cerr << "metamer: " << error.what() << '\n';

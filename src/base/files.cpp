@@ -12,6 +12,23 @@ namespace metamer {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// Writes to `to`; errors are about `path`.
+void write_to(const fs::path& to, std::string_view bytes, const fs::path& path) {
+    std::FILE* out = std::fopen(to.c_str(), "wb");
+    if (!out)
+        throw failure("write", path.string(), std::strerror(errno));
+    // fclose reports what the kernel refused late (a full disk); it runs whatever fwrite said.
+    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), out) == bytes.size();
+    const int early = errno;
+    const bool closed = std::fclose(out) == 0;
+    if (!written || !closed)
+        throw failure("write", path.string(), std::strerror(written ? errno : early));
+}
+
+} // namespace
+
 std::string read_file(const fs::path& path, std::size_t most_bytes) {
     std::error_code ec;
     const auto status = fs::status(path, ec);
@@ -41,20 +58,19 @@ void write_file(const fs::path& path, std::string_view bytes) {
         throw bad_input("write", path.string(), "there is no folder " + folder.string());
     if (fs::is_directory(path, ec))
         throw bad_input("write", path.string(), "it is a folder");
-    const fs::path part = path.string() + ".part." + std::to_string(::getpid());
-    std::FILE* out = std::fopen(part.c_str(), "wb");
-    if (!out)
-        throw failure("write", path.string(), std::strerror(errno));
-    // fclose reports what the kernel refused late (a full disk); it runs whatever fwrite said.
-    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), out) == bytes.size();
-    const bool closed = std::fclose(out) == 0;
-    const int cause = errno;
-    if (written && closed)
-        fs::rename(part, path, ec);
-    if (!written || !closed || ec) {
-        const std::string why = ec ? ec.message() : std::strerror(cause);
+    if (const auto status = fs::status(path, ec); fs::exists(status) && !fs::is_regular_file(status))
+        return write_to(path, bytes, path);
+    // A link stays a link: the file behind it is the one to replace.
+    const fs::path target = fs::is_symlink(path, ec) ? fs::weakly_canonical(path, ec) : path;
+    const fs::path part = target.string() + ".part." + std::to_string(::getpid());
+    try {
+        write_to(part, bytes, path);
+        fs::rename(part, target, ec);
+        if (ec)
+            throw failure("write", path.string(), ec.message());
+    } catch (const Error&) {
         fs::remove(part, ec);
-        throw failure("write", path.string(), why);
+        throw;
     }
 }
 

@@ -21,18 +21,18 @@ namespace {
 std::string check_exhibit(const std::string& path, std::vector<std::string>& warnings) {
     const Exhibit exhibit = load_exhibit(path, {}, &warnings);
     half_views(exhibit, build_scene(exhibit), exhibit.display.width_px); // an adaptation that cannot be
-    return "exhibit, " + std::to_string(exhibit.objects.size()) + " objects, " +
-           std::to_string(exhibit.lamps.size()) + (exhibit.lamps.size() == 1 ? " lamp" : " lamps");
+    return "exhibit, " + counted(exhibit.objects.size(), "object") + ", " +
+           counted(exhibit.lamps.size(), "lamp");
 }
 
 std::string check_atlas(const std::string& path) {
     const Atlas atlas = read_atlas(path);
-    int lamps = 0, materials = 0;
+    std::size_t lamps = 0, materials = 0;
     for (const AtlasLamp& lamp : atlas.lamps)
         lamps += lamp.name.empty() ? 0 : 1;
     for (const AtlasMaterial& material : atlas.materials)
         materials += material.name.empty() ? 0 : 1;
-    return "atlas, " + std::to_string(lamps) + " lamps, " + std::to_string(materials) + " materials";
+    return "atlas, " + counted(lamps, "lamp") + ", " + counted(materials, "material");
 }
 
 // The file does not say whether its values are powers or reflectances: everything a reflectance may be, a
@@ -47,8 +47,7 @@ std::string check_spectra(const std::string& path, std::vector<std::string>& war
         for (const std::string& name : table.names)
             find_lamp(path + "#" + name, ".", &warnings);
     }
-    return "spectra, " + std::to_string(table.names.size()) +
-           (table.names.size() == 1 ? " column, " : " columns, ") + use;
+    return "spectra, " + counted(table.names.size(), "column") + ", " + use;
 }
 
 std::string check_file(const std::string& path, std::vector<std::string>& warnings) {
@@ -73,7 +72,7 @@ void run(const std::vector<std::string>& files) {
             warn(warnings);
             std::cout << file << ": valid (" << what << ")\n";
         } catch (const Error& error) {
-            if (error.status() != Exit::bad_input)
+            if (error.status() != Exit::bad_input || files.size() == 1)
                 throw;
             std::cerr << "metamer: " << error.what() << '\n';
             ++wrong;

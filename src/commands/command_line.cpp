@@ -41,14 +41,23 @@ Exhibit load(const ExhibitArguments& arguments) {
 }
 
 void print_json(const nlohmann::ordered_json& document) {
-    std::cout << document.dump(2) << '\n';
+    // Paths are bytes and end up in names: what is no UTF-8 in them becomes U+FFFD.
+    constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
+    std::cout << document.dump(2, ' ', false, replace) << '\n';
+}
+
+std::string counted(std::size_t count, const std::string& what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 void check_output(const std::filesystem::path& path) {
+    if (path.empty())
+        throw bad_input("write", "\"\"", "it names no file");
+    std::error_code ec; // what cannot be asked for cannot be written either, and write_file says why
     const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    if (!std::filesystem::is_directory(folder))
+    if (!std::filesystem::is_directory(folder, ec))
         throw bad_input("write", path.string(), "there is no folder " + folder.string());
-    if (std::filesystem::is_directory(path))
+    if (std::filesystem::is_directory(path, ec))
         throw bad_input("write", path.string(), "it is a folder");
 }
 

@@ -28,7 +28,10 @@ void warn(const std::vector<std::string>& warnings);
 /// One JSON document on stdout.
 void print_json(const nlohmann::ordered_json& document);
 
-/// Refuses an output path that cannot be written, before any work is done: no such folder, or a folder
+/// `1 lamp`, `2 lamps`.
+std::string counted(std::size_t count, const std::string& what);
+
+/// Refuses an output path that cannot be written, before any work is done: empty, no such folder, or a folder
 /// itself.
 void check_output(const std::filesystem::path& path);
 

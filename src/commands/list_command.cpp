@@ -21,9 +21,8 @@ void print_row(std::string_view name, std::string_view description) {
 void list_lamps() {
     for (const Lamp& lamp : library_lamps())
         print_row(lamp.name, lamp.description);
-    std::cout << "\nBy formula: planck:KELVIN, daylight:KELVIN, gauss:CENTER_NM:FWHM_NM, line:NM. By file: "
-                 "FILE.csv, "
-                 "FILE.csv#COLUMN\n";
+    std::cout << "\nBy formula: planck:KELVIN, daylight:KELVIN, gauss:CENTER_NM:FWHM_NM, line:NM. "
+                 "By file: FILE.csv, FILE.csv#COLUMN\n";
 }
 
 void list_materials() {

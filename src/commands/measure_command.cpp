@@ -62,9 +62,7 @@ void run(const Options& options) {
     const Lamp lamp = find_lamp(options.lamp, ".", &warnings);
     const Material material = find_material(options.material, ".", &warnings);
     warn(warnings);
-    const Display display = options.exhibit.path.empty() && options.exhibit.sets.empty()
-                                ? Display{}
-                                : load(options.exhibit).display;
+    const Display display = options.exhibit.path.empty() ? Display{} : load(options.exhibit).display;
     const Surfaceless context;
     const Measurement measurement = measure(lamp, material, display);
     if (options.json)

@@ -1,7 +1,9 @@
 // metamer render: one frame of an exhibit as a PNG, without any display.
 #include <iostream>
 #include <memory>
+#include <optional>
 
+#include "base/error.h"
 #include "base/files.h"
 #include "commands/command_line.h"
 #include "commands/commands.h"
@@ -16,31 +18,42 @@ namespace {
 
 struct Options {
     ExhibitArguments exhibit;
-    std::string output, size;
+    std::string output;
+    std::optional<std::string> size;
     bool table = false;
 };
 
-// `1280x720` becomes the two keys that it stands for, so that their ranges and errors are one.
-void take_size(Options& options) {
-    if (options.size.empty())
-        return;
-    const auto x = options.size.find_first_of("xX");
-    const std::string height = x == std::string::npos ? "" : options.size.substr(x + 1);
-    options.exhibit.sets.push_back("display.width=" + options.size.substr(0, x));
-    options.exhibit.sets.push_back("display.height=" + height);
+// `--size 1280x720` becomes the two keys that it stands for, so that their ranges are one.
+Exhibit load_at_size(const Options& options) {
+    if (!options.size)
+        return load(options.exhibit);
+    const std::string& size = *options.size;
+    const auto x = size.find_first_of("xX");
+    if (x == std::string::npos || x == 0 || x + 1 == size.size())
+        throw bad_input("read", "--size " + size, "it must be WIDTHxHEIGHT in pixels, as in 1280x720");
+    const std::string width = "display.width=" + size.substr(0, x);
+    const std::string height = "display.height=" + size.substr(x + 1);
+    ExhibitArguments sized = options.exhibit;
+    sized.sets.insert(sized.sets.end(), {width, height});
+    try {
+        return load(sized);
+    } catch (const Error& error) {
+        if (error.place() == "--set " + width || error.place() == "--set " + height)
+            throw bad_input("read", "--size " + size, error.cause());
+        throw;
+    }
 }
 
-void run(Options options) {
-    take_size(options);
-    const Exhibit exhibit = load(options.exhibit);
+void run(const Options& options) {
+    const Exhibit exhibit = load_at_size(options);
     check_output(options.output);
+    const std::string table = options.table ? half_table(exhibit) : "";
     const Surfaceless context;
     const Image image = render_frame(exhibit);
     write_file(options.output, encode_frame(image, exhibit));
     std::cout << options.output << ": " << image.width << " x " << image.height << " px, drawn by "
-              << gl_renderer() << '\n';
-    if (options.table)
-        std::cout << half_table(exhibit);
+              << gl_renderer() << '\n'
+              << table;
 }
 
 } // namespace

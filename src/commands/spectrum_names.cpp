@@ -5,13 +5,16 @@
 #include "base/names.h"
 #include "spectra/csv.h"
 #include "spectra/library.h"
+#include "spectra/spectrum_file.h"
 
 namespace metamer {
 
 namespace {
 
 bool is_whole_file(const std::string& name) {
-    return name.find('#') == std::string::npos && std::filesystem::is_regular_file(name);
+    std::error_code ec; // a name that cannot be asked for is refused where it is read
+    return names_file(name) && name.find('#') == std::string::npos &&
+           std::filesystem::is_regular_file(name, ec);
 }
 
 void add_columns(std::vector<std::string>& out, const std::string& path, SpectrumKind kind) {
