@@ -34,7 +34,7 @@ Scene build_loaf(const Exhibit& exhibit) {
         scene.objects.push_back(std::move(object));
     }
     scene.camera = {
-        .eye = {0, 1.6f, 6}, .target = {0, 0.02f, 0}, .field_of_view_deg = 24, .half_size = {1.75f, 1.5f}};
+        .eye = {0, 1.6f, 6}, .target = {0, -0.17f, 0}, .field_of_view_deg = 24, .half_size = {1.75f, 1.72f}};
     scene.radius = 1.8f;
     scene.lamp_directions = lamps_at_the_viewer();
     return scene;

@@ -1,0 +1,139 @@
+// Objects with maps, and ramps: each pixel's material by hand.
+#include <cmath>
+#include <gtest/gtest.h>
+#include <stdexcept>
+
+#include "frames/frames.h"
+#include "methods/pair.h"
+#include "render/half_view.h"
+#include "render/surface_maps.h"
+#include "render/variants.h"
+
+namespace metamer {
+namespace {
+
+/// The still life with its wall lit straight on, so that a pixel of it is the pair's color.
+Exhibit wall_by(const std::string& method) {
+    return exhibit_of(
+        "[display]\nwidth = 160\nheight = 90\n[accuracy]\nmethod = " + method +
+        "\n[scene]\nkind = still-life\nmaterials = cc-red, cc-cyan, cc-yellow\n[lamp.1]\nspectrum = "
+        "F2\ndirection = 0 0 -1\n[object.wall]\nspecular = 0\n");
+}
+
+ObjectSetting& wall(Exhibit& exhibit) {
+    for (ObjectSetting& object : exhibit.objects)
+        if (object.name == "wall")
+            return object;
+    throw std::logic_error("there is no wall");
+}
+
+EncodedRgb8 twin(const Exhibit& exhibit, int key, double luminance = 1) {
+    const HalfView view = half_views(exhibit, build_scene(exhibit), 160).front();
+    Reflectance material = reflectance(exhibit.atlas, key);
+    for (double& r : material.value)
+        r *= luminance;
+    return pair_rgb8<double>(exhibit.method, view.lamps[0].emission, 1, material, observer(exhibit.atlas),
+                             view.output);
+}
+
+Image two_texels(std::uint8_t left, std::uint8_t right) {
+    return {2, 1, {left, left, left, 255, right, right, right, 255}};
+}
+
+// The wall fills the frame's upper corners; its left half shows the map's left texel.
+constexpr int kLeftX = 15, kRightX = 144, kTopY = 8;
+
+class MapsBy : public testing::TestWithParam<const char*> {};
+
+TEST_P(MapsBy, KeysNameMaterials) {
+    Exhibit exhibit = wall_by(GetParam());
+    wall(exhibit).key_map = two_texels(1, 2);
+    const Image image = frame_of(exhibit);
+    EXPECT_LE(steps(pixel(image, kLeftX, kTopY), twin(exhibit, 1)), 1);
+    EXPECT_LE(steps(pixel(image, kRightX, kTopY), twin(exhibit, 2)), 1);
+    EXPECT_GT(steps(twin(exhibit, 1), twin(exhibit, 2)), 40) << "the keys tell materials apart";
+}
+
+TEST_P(MapsBy, LuminanceScalesReflectance) {
+    Exhibit exhibit = wall_by(GetParam());
+    wall(exhibit).luminance_map = Image{1, 1, {128, 128, 128, 255}};
+    const int key = wall(exhibit).material.key;
+    EXPECT_LE(steps(pixel(frame_of(exhibit), kLeftX, kTopY), twin(exhibit, key, 128.0 / 255)), 1);
+}
+
+TEST_P(MapsBy, AFlatBumpMapChangesNothing) {
+    Exhibit exhibit = wall_by(GetParam());
+    const Image plain = frame_of(exhibit);
+    wall(exhibit).bump_map = two_texels(77, 77);
+    wall(exhibit).bump = 0.5;
+    const Image bumped = frame_of(exhibit);
+    EXPECT_LE(steps(pixel(plain, kLeftX, kTopY), pixel(bumped, kLeftX, kTopY)), 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, MapsBy, testing::Values("rgb", "tristimulus", "spectral"),
+                         [](const auto& method) { return std::string(method.param); });
+
+TEST(Bump, ASlopeTiltsTheNormal) {
+    // Heights that rise by one map width over one map width: 45 degrees.
+    Image slope{8, 1, {}};
+    for (int x = 0; x < 8; ++x)
+        slope.rgba.insert(slope.rgba.end(), {static_cast<std::uint8_t>(x * 255 / 8), 0, 0, 255});
+    const Image normals = normal_map(slope, 1);
+    const double tilt = (normals.rgba[4 * 3] - 128) / 127.0, up = (normals.rgba[4 * 3 + 2] - 128) / 127.0;
+    EXPECT_NEAR(tilt, -std::sqrt(0.5), 0.03) << "uphill to the right looks left";
+    EXPECT_NEAR(up, std::sqrt(0.5), 0.03);
+    EXPECT_EQ(normals.rgba[4 * 3 + 1], 128) << "level the other way";
+}
+
+TEST(MaterialMap, HoldsNumbersToASixteenBitStep) {
+    const Exhibit exhibit = wall_by("rgb");
+    const HalfView view = half_views(exhibit, build_scene(exhibit), 160).front();
+    const Image map = material_map(Method::rgb, exhibit.atlas, view.output);
+    for (int key = 1; key <= 3; ++key) {
+        const auto numbers = material_numbers(Method::rgb, reflectance(exhibit.atlas, key),
+                                              observer(exhibit.atlas), view.output);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::uint8_t* row = &map.rgba[static_cast<std::size_t>(key) * 8];
+            const double read = (row[c] * 256 + row[4 + c]) / 65535.0 * kMaterialMapSpan + kMaterialMapLeast;
+            EXPECT_NEAR(read, numbers[c], kMaterialMapSpan / 65535);
+        }
+    }
+}
+
+TEST(Ramp, MixesByReflectanceByXyzAndByCodes) {
+    const Exhibit exhibit =
+        exhibit_of("[display]\nwidth = 256\nheight = 96\n[scene]\nkind = ramp\nmaterials = cc-blue, "
+                   "cc-yellow\n[lamp.1]\nspectrum = F11\nstrength = 0.8\n");
+    const Image image = frame_of(exhibit);
+    const HalfView view = half_views(exhibit, build_scene(exhibit), 256).front();
+    const GridObserver seen_by = observer(exhibit.atlas);
+    const Emission& lamp = view.lamps[0].emission;
+    const Reflectance a = reflectance(exhibit.atlas, exhibit.objects[0].material.key);
+    const Reflectance b = reflectance(exhibit.atlas, exhibit.objects[0].material_end->key);
+    for (int x : {2, 64, 128, 200, 253}) {
+        const double t = (x + 0.5) / 256;
+        Reflectance mixed;
+        for (std::size_t i = 0; i < kIntervals; ++i)
+            mixed.value[i] = (1 - t) * a.value[i] + t * b.value[i];
+        for (int bar = 0; bar < 2; ++bar) {
+            const Method method = bar == 0 ? Method::spectral : Method::tristimulus;
+            EXPECT_LE(steps(pixel(image, x, bar * 32 + 16),
+                            pair_rgb8<double>(method, lamp, 0.8, mixed, seen_by, view.output)),
+                      1)
+                << x << ' ' << bar;
+        }
+        const auto begin = material_numbers(Method::rgb, a, seen_by, view.output);
+        const auto end = material_numbers(Method::rgb, b, seen_by, view.output);
+        const auto of_lamp = lamp_numbers(Method::rgb, lamp, seen_by, view.output);
+        std::array<double, 3> c{};
+        for (std::size_t k = 0; k < 3; ++k)
+            c[k] = 0.8 * of_lamp[k] *
+                   decode(Transfer::srgb,
+                          (1 - t) * encode(Transfer::srgb, begin[k]) + t * encode(Transfer::srgb, end[k]));
+        EXPECT_LE(steps(pixel(image, x, 80), encode_rgb8(Transfer::srgb, LinearRgb{c[0], c[1], c[2]})), 1)
+            << x;
+    }
+}
+
+} // namespace
+} // namespace metamer

@@ -1,0 +1,171 @@
+// Frames against closed forms: a pixel's place in the world, the light that reaches it, and its color, all by
+// hand.
+#include <cmath>
+#include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
+#include <gtest/gtest.h>
+
+#include "frames/frames.h"
+#include "methods/pair.h"
+#include "render/half_view.h"
+
+namespace metamer {
+namespace {
+
+using Vector = glm::dvec3;
+
+/// The ray through the middle of a pixel, and where it meets the plane through `on` with this normal.
+Vector on_plane(const Exhibit& exhibit, const Scene& scene, int x, int y, const Vector& on,
+                const Vector& normal) {
+    const double w = exhibit.display.width_px, h = exhibit.display.height_px;
+    const View view = view_of(scene.camera, w / h);
+    const glm::dmat4 world_from_clip = glm::inverse(glm::dmat4(view.clip_from_world));
+    const glm::dvec4 far = world_from_clip * glm::dvec4(2 * (x + 0.5) / w - 1, 1 - 2 * (y + 0.5) / h, 1, 1);
+    const Vector eye(view.eye), direction = Vector(far) / far.w - eye;
+    return eye + direction * (glm::dot(on - eye, normal) / glm::dot(direction, normal));
+}
+
+std::array<double, 3> array_of(const Vector& v) {
+    return {v.x, v.y, v.z};
+}
+
+/// The pixel that the twin expects at a point of a flat surface under the exhibit's lamps.
+EncodedRgb8 expected(const Exhibit& exhibit, const Scene& scene, const ObjectSetting& object,
+                     const Vector& at, const Vector& normal) {
+    const HalfView view = half_views(exhibit, scene, exhibit.display.width_px).front();
+    const double aspect = static_cast<double>(exhibit.display.width_px) / exhibit.display.height_px;
+    SurfacePoint<double> point{.position = array_of(at),
+                               .normal = array_of(normal),
+                               .eye = array_of(Vector(view_of(scene.camera, aspect).eye)),
+                               .specular = object.specular,
+                               .shininess = object.shininess};
+    std::vector<LitEmission<double>> lit;
+    for (const HalfLamp& lamp : view.lamps) {
+        const LampPlace<double> place{
+            .at = array_of(Vector(lamp.place)),
+            .directional = lamp.place.w == 0,
+            .falloff = {lamp.falloff.constant, lamp.falloff.linear, lamp.falloff.quadratic}};
+        lit.push_back({&lamp.emission, lamp.strength, arriving_light(place, point)});
+    }
+    const auto xyz =
+        spectral<double>(lit, reflectance(exhibit.atlas, object.material.key), observer(exhibit.atlas));
+    return encode_rgb8(view.output.transfer, to_output(view.output.adapted_rgb_from_xyz(), xyz));
+}
+
+const double kRoot = std::sqrt(0.5);
+
+// The loaf of one slice is a box of 2 x 1.88 x 2, edge on; its right face has the normal (1, 0, 1)/sqrt 2.
+void compare_right_face(const std::string& lamps) {
+    const Exhibit exhibit =
+        exhibit_of("[display]\nwidth = 200\nheight = 160\n[scene]\nkind = loaf\nmaterials = cc-orange\n" +
+                   lamps + "[object.slice-1]\nspecular = 0.3\nshininess = 20\n");
+    const Scene scene = build_scene(exhibit);
+    const Image image = frame_of(exhibit);
+    const Vector normal(kRoot, 0, kRoot), on = normal;
+    int bright = 0;
+    for (const auto& [x, y] : {std::pair{104, 80}, {110, 60}, {120, 90}, {140, 50}, {150, 100}, {165, 70}}) {
+        const Vector at = on_plane(exhibit, scene, x, y, on, normal);
+        ASSERT_LT(std::abs(at.y), 0.93) << "the pixel shows the face";
+        const EncodedRgb8 twin = expected(exhibit, scene, exhibit.objects[0], at, normal),
+                          drawn = pixel(image, x, y);
+        EXPECT_LE(steps(drawn, twin), 1)
+            << x << ' ' << y << ": drawn " << int(drawn.r) << ' ' << int(drawn.g) << ' ' << int(drawn.b)
+            << ", expected " << int(twin.r) << ' ' << int(twin.g) << ' ' << int(twin.b);
+        bright += twin.r > 20;
+    }
+    EXPECT_GE(bright, 3) << "the light reaches the face";
+}
+
+TEST(Shading, ParallelLightIsTheCosine) {
+    compare_right_face("[lamp.1]\nspectrum = D65\ndirection = -1 -0.5 -2\n");
+}
+
+TEST(Shading, PointLightFallsOffWithDistance) {
+    compare_right_face(
+        "[lamp.1]\nspectrum = A2800\nstrength = 3\nposition = 2 1 3\nfalloff = 0.2 0.1 0.15\n");
+}
+
+TEST(Shading, SeveralLampsAddUp) {
+    compare_right_face(
+        "[lamp.1]\nspectrum = A2800\nstrength = 0.4\nposition = 2 1 3\n[lamp.2]\nspectrum = F11\nstrength = "
+        "0.3\ndirection = -1 0 -1\n[lamp.3]\nspectrum = krypton\nstrength = 0.2\nposition = 4 0 1\n");
+}
+
+TEST(Shading, HighlightsAreTheLampsOwnColor) {
+    // Lamp and eye mirrored about the face's normal: the black loaf shows the lamp's color there.
+    compare_right_face("[lamp.1]\nspectrum = D65\nposition = 8 1.6 0\n");
+}
+
+TEST(Shading, EightLampsDraw) {
+    std::string lamps;
+    for (int i = 1; i <= 8; ++i)
+        lamps += "[lamp." + std::to_string(i) + "]\nspectrum = F" + std::to_string(i) +
+                 "\nstrength = 0.15\ndirection = -1 0 -" + std::to_string(i) + "\n";
+    compare_right_face(lamps);
+}
+
+TEST(Shading, NothingIsLitByNoLight) {
+    const Image image =
+        frame_of(exhibit_of("[display]\nwidth = 64\nheight = 64\n[scene]\nkind = patches\nmaterials = "
+                            "cc-white\n[lamp.1]\nspectrum = E\nstrength = 0\n"));
+    EXPECT_EQ(pixel(image, 32, 32), (EncodedRgb8{0, 0, 0}));
+}
+
+TEST(Shading, TheBrightestLightIsWhiteNotNothing) {
+    for (const char* method : {"rgb", "tristimulus", "spectral"}) {
+        const Image image = frame_of(
+            exhibit_of("[display]\nwidth = 64\nheight = 64\n[accuracy]\nmethod = " + std::string(method) +
+                       "\n[scene]\nkind = patches\nmaterials = cc-white\n[lamp.1]\nspectrum = "
+                       "E\nstrength = 1000000\n"));
+        EXPECT_EQ(pixel(image, 32, 32), (EncodedRgb8{255, 255, 255})) << method;
+    }
+}
+
+// A still life under one lamp from the left: the table behind the orange, as the lamp sees it, lies in
+// shadow.
+std::string table_under(const std::string& lamp) {
+    return "[display]\nwidth = 640\nheight = 360\n[scene]\nkind = still-life\n[lamp.1]\nspectrum = D65\n" +
+           lamp + "[object.table]\nspecular = 0\n";
+}
+
+EncodedRgb8 at_world(const Exhibit& exhibit, const Image& image, const Vector& world) {
+    const Scene scene = build_scene(exhibit);
+    const View view = view_of(scene.camera, static_cast<double>(image.width) / image.height);
+    const glm::dvec4 clip = glm::dmat4(view.clip_from_world) * glm::dvec4(world, 1);
+    return pixel(image, static_cast<int>((clip.x / clip.w + 1) / 2 * image.width),
+                 static_cast<int>((1 - clip.y / clip.w) / 2 * image.height));
+}
+
+void compare_shadow(const std::string& lamp) {
+    const Exhibit with = exhibit_of(table_under(lamp + "shadow = yes\n")),
+                  without = exhibit_of(table_under(lamp));
+    const Image shadowed = frame_of(with), lit = frame_of(without);
+    // The orange: center (-0.78, 0.3, 1.05), radius 0.3. Light falls at 45 degrees towards +x.
+    const Vector in_shadow(-0.40, 0, 1.05), beside(-0.40, 0, 1.5);
+    EXPECT_EQ(at_world(with, shadowed, in_shadow), (EncodedRgb8{0, 0, 0}));
+    EXPECT_GT(at_world(without, lit, in_shadow).r, 40);
+    EXPECT_EQ(at_world(with, shadowed, beside), at_world(without, lit, beside));
+}
+
+TEST(Shadow, FallsWhereTheOrangeStandsInParallelLight) {
+    compare_shadow("direction = 1 -1 0\n");
+}
+
+TEST(Shadow, FallsWhereTheOrangeStandsBeforeAPointLamp) {
+    compare_shadow("position = -3.78 3.3 1.05\nstrength = 1\n");
+}
+
+TEST(Shadow, NoSurfaceShadowsItself) {
+    // Straight from above only what lies under something may darken: the table's free places do not.
+    const std::string above = "direction = 0 -1 0\n";
+    const Exhibit with = exhibit_of(table_under(above + "shadow = yes\n")),
+                  without = exhibit_of(table_under(above));
+    const Image shadowed = frame_of(with), lit = frame_of(without);
+    for (const Vector& free : {Vector(-1.5, 0, 1.2), Vector(0.0, 0, 1.5), Vector(1.0, 0, 0.4),
+                               Vector(-1.9, 0, 0.9), Vector(2, 0, 0.5)})
+        EXPECT_LE(steps(at_world(with, shadowed, free), at_world(without, lit, free)), 1)
+            << free.x << ' ' << free.z;
+}
+
+} // namespace
+} // namespace metamer
