@@ -5,9 +5,9 @@
 
 namespace metamer {
 
-/// An EGL display and an OpenGL ES 2 context that needs no display server; current on the constructing thread
-/// from construction to destruction. Several may exist at once; the one made or moved-to last by
-/// make_current() is current. GL objects must go before the context that they were made in.
+/// An EGL display and an OpenGL ES 2 context that needs no display server. Several may exist at once; the
+/// context that was constructed, or asked for by make_current(), last is the thread's current one. GL objects
+/// must go before the context that they were made in.
 class Surfaceless {
 public:
     /// Tries Mesa's surfaceless platform (EGL_MESA_platform_surfaceless), the first device
