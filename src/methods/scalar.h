@@ -1,5 +1,5 @@
-// The scalars that the CPU twins are templates over: double, float, and Float16, which is what Mali-400 computes
-// in.
+// The scalars that the CPU twins are templates over: double, float, and Float16, which is what a Mali-400
+// computes in.
 #pragma once
 
 #include <concepts>
