@@ -42,7 +42,7 @@ std::vector<ObjectDefault> still_life() {
     const auto thing = [](const char* name, const char* material, double specular, double shininess) {
         return ObjectDefault{name, material, "", std::nullopt, Mix::reflectance, specular, shininess};
     };
-    return {thing("table", "crayon-brown", 0.05, 16),     thing("wall", "crayon-gray", 0, 32),
+    return {thing("table", "cc-dark-skin", 0.05, 16),     thing("wall", "cc-neutral-6.5", 0, 32),
             thing("ball", "crayon-white", 0.2, 60),       thing("orange", "crayon-orange", 0.1, 24),
             thing("apple", "crayon-red", 0.25, 60),       thing("box", "crayon-cerulean", 0.05, 16),
             thing("vase", "crayon-blue-green", 0.4, 120), thing("cone", "crayon-yellow", 0.1, 32),

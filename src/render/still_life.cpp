@@ -44,9 +44,9 @@ void add_cone(MeshData& mesh) {
 void add_cloth(MeshData& mesh) {
     // A hand-towel laid over the table, rising in soft folds towards the wall.
     const auto point = [](double u, double v) {
-        const double x = -0.55 + 1.1 * u, z = 1.75 - 0.75 * v;
+        const double x = 0.95 + 0.95 * u, z = 1.5 - 0.75 * v;
         const double y = 0.015 + 0.05 * (1 + std::sin(9 * u + 2 * v)) * (0.25 + 0.75 * v);
-        return glm::vec3(x + 1.35, y, z);
+        return glm::vec3(x, y, z);
     };
     add_surface(mesh, point, 48, 32);
 }
