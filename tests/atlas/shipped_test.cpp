@@ -1,0 +1,34 @@
+// The shipped atlases are what the library makes today; scripts/build-atlases writes them.
+#include <gtest/gtest.h>
+
+#include "atlas/atlas_file.h"
+#include "spectra/library.h"
+
+namespace metamer {
+namespace {
+
+class ShippedAtlas : public testing::TestWithParam<MaterialSet> {};
+
+TEST_P(ShippedAtlas, HoldsTheLibrarysLampsAndItsSet) {
+    Atlas built = empty_atlas();
+    for (const Lamp& lamp : library_lamps())
+        add_lamp(built, lamp);
+    for (const std::string& name : GetParam().materials)
+        add_material(built, find_material(name));
+    const Atlas shipped = read_atlas(METAMER_SOURCE_DIR "/atlas/" + GetParam().name + ".png");
+    EXPECT_EQ(shipped.rgba, built.rgba);
+    for (std::size_t key = 1; key < kAtlasSize; ++key) {
+        EXPECT_EQ(shipped.lamps[key].name, built.lamps[key].name);
+        EXPECT_EQ(shipped.lamps[key].source, built.lamps[key].source);
+        EXPECT_EQ(shipped.lamps[key].peak, built.lamps[key].peak);
+        EXPECT_EQ(shipped.materials[key].name, built.materials[key].name);
+        EXPECT_EQ(shipped.materials[key].source, built.materials[key].source);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sets, ShippedAtlas,
+                         testing::ValuesIn(material_sets().begin(), material_sets().end()),
+                         [](const auto& set) { return set.param.name; });
+
+} // namespace
+} // namespace metamer
