@@ -20,7 +20,7 @@ namespace {
 
 std::string check_exhibit(const std::string& path, std::vector<std::string>& warnings) {
     const Exhibit exhibit = load_exhibit(path, {}, &warnings);
-    half_views(exhibit, build_scene(exhibit), exhibit.display.width_px); // an adaptation that cannot be
+    half_views(exhibit, build_scene(exhibit)); // an adaptation that cannot be
     return "exhibit, " + counted(exhibit.objects.size(), "object") + ", " +
            counted(exhibit.lamps.size(), "lamp");
 }
@@ -43,7 +43,7 @@ std::string check_spectra(const std::string& path, std::vector<std::string>& war
     try {
         read_spectra(path, SpectrumKind::reflectance);
     } catch (const Error& error) {
-        use = "for lamps (for materials: " + error.cause() + ")";
+        use = "for lamps only: " + error.cause();
         for (const std::string& name : table.names)
             find_lamp(path + "#" + name, ".", &warnings);
     }
@@ -70,7 +70,7 @@ void run(const std::vector<std::string>& files) {
         try {
             const std::string what = check_file(file, warnings);
             warn(warnings);
-            std::cout << file << ": valid (" << what << ")\n";
+            std::cout << file << ": valid " << what << '\n';
         } catch (const Error& error) {
             if (error.status() != Exit::bad_input || files.size() == 1)
                 throw;

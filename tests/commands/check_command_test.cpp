@@ -1,0 +1,91 @@
+// metamer check: every kind of file, valid and not.
+#include "commands/command_test.h"
+
+namespace metamer::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class Check : public CommandTest {
+protected:
+    Check() {
+        write("lamp.csv", kFlatLamp);
+        write("two.csv", kTwoMaterials);
+        write("one.ini", "[scene]\nkind = patches\nmaterials = crayon-red\n[lamp.1]\nspectrum = lamp.csv\n");
+        write("typo.ini", "[scene]\nknd = patches\n");
+    }
+};
+
+TEST_F(Check, SaysWhatValidFilesHold) {
+    write("power.csv", "wavelength_nm,tube\n400,30\n700,50\n");
+    output_of({"atlas", "build", "--lamps", "F11", "--materials", "crayons", "-o", "a.png"});
+    EXPECT_EQ(
+        output_of({"check", "one.ini", "a.png", "two.csv", "power.csv"}),
+        "one.ini: valid exhibit, 1 object, 1 lamp\n"
+        "a.png: valid atlas, 1 lamp, 15 materials\n"
+        "two.csv: valid spectra, 2 columns, for lamps and materials\n"
+        "power.csv: valid spectra, 1 column, for lamps only: reflectance 30 is above 1: fluorescence is not "
+        "taken, percent must be named (`# unit: percent`)\n");
+}
+
+TEST_F(Check, EveryShippedExhibitIsValid) {
+    std::vector<std::string> arguments = {"check"};
+    for (const auto& entry : fs::recursive_directory_iterator(METAMER_SOURCE_DIR "/config"))
+        if (entry.path().extension() == ".ini")
+            arguments.push_back(entry.path().string());
+    ASSERT_GT(arguments.size(), 40u);
+    const std::string out = output_of(arguments);
+    for (std::size_t i = 1; i < arguments.size(); ++i)
+        EXPECT_THAT(out, HasSubstr(arguments[i] + ": valid exhibit, "));
+}
+
+TEST_F(Check, OneBadFileIsOneLine) {
+    expect_failure(2, {"check", "typo.ini"},
+                   "cannot read typo.ini:2: unknown key \"knd\" in [scene]; did you mean \"kind\"?");
+    expect_failure(2, {"check", "none.csv"}, "cannot read none.csv: there is no such file");
+}
+
+TEST_F(Check, AllFilesAreLookedAt) {
+    write("cut.png", "\x89PNG");
+    write("late.csv", "wavelength_nm,a\n400,1\n390,1\n");
+    const Outcome outcome = metamer({"check", "typo.ini", "one.ini", "cut.png", "late.csv", "two.csv"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.out, "one.ini: valid exhibit, 1 object, 1 lamp\n"
+                           "two.csv: valid spectra, 2 columns, for lamps and materials\n");
+    for (const char* part : {"metamer: cannot read typo.ini:2: ", "metamer: cannot read cut.png: ",
+                             "metamer: cannot read late.csv:3: "})
+        EXPECT_THAT(outcome.err, HasSubstr(part));
+    EXPECT_TRUE(outcome.err.ends_with("\nmetamer: cannot accept 3 of 5 files: see above\n")) << outcome.err;
+}
+
+TEST_F(Check, KindsGoByTheNamesEnding) {
+    write("notes.md", "");
+    expect_failure(2, {"check", "notes.md"},
+                   "cannot check notes.md: its name ends in none of .ini (exhibit), .png (atlas), .csv and "
+                   ".txt (spectra)");
+    write("LAMP.CSV", kFlatLamp);
+    EXPECT_THAT(output_of({"check", "LAMP.CSV"}), StartsWith("LAMP.CSV: valid spectra, "));
+}
+
+TEST_F(Check, DoubtsAreWarnings) {
+    write("wide.csv", "wavelength_nm,wide\n300,2\n1000,2\n");
+    const Outcome outcome = metamer({"check", "wide.csv"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_THAT(outcome.err, StartsWith("metamer: warning: wide.csv#wide: "));
+    EXPECT_THAT(outcome.out, StartsWith("wide.csv: valid spectra, 1 column, "));
+}
+
+TEST_F(Check, AnAdaptationThatCannotBeIsFound) {
+    write("sodium.ini", "[display]\nadaptation = bradford\n[scene]\nkind = patches\n[lamp.1]\n"
+                        "spectrum = line:589.3\n");
+    expect_failure_like(2, {"check", "sodium.ini"}, StartsWith("metamer: cannot adapt "));
+}
+
+TEST_F(Check, NeedsNoGl) {
+    const World world{.environment = {{"__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent"}}};
+    EXPECT_EQ(metamer({"check", "one.ini"}, world).status, 0);
+}
+
+} // namespace
+} // namespace metamer::test
