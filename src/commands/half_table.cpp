@@ -35,7 +35,7 @@ HalfDifference difference_under(const Exhibit& exhibit, const std::string& lamp)
     const Exhibit lit = under_lamp(exhibit, lamp);
     Scene scene; // its shapes do not matter here
     scene.lamp_directions.emplace_back(0, 0, 1);
-    const auto views = half_views(lit, scene, 2);
+    const auto views = half_views(lit, scene);
     HalfDifference out{.lamp = lamp, .mean = 0, .greatest = -1, .worst_material = {}};
     for (const ObjectSetting& object : lit.objects) {
         const double difference = delta_e_2000(shown(lit, views[0], object), shown(lit, views[1], object));

@@ -42,7 +42,7 @@ Measurement measure(const Lamp& lamp, const Material& material, const Display& d
     Measurement out{lamp.name, material.name, reference_xyz(lamp.spectrum, material.spectrum), {}};
     for (const MethodInfo& info : kMethods) {
         const Exhibit exhibit = pair_exhibit(lamp, material, display, info.method);
-        const HalfView view = half_views(exhibit, build_scene(exhibit), kPatchPx).front();
+        const HalfView view = half_views(exhibit, build_scene(exhibit)).front();
         const Emission& emitted = view.lamps.front().emission;
         const Reflectance reflected = reflectance(exhibit.atlas, exhibit.objects.front().material.key);
         const GridObserver seen_by = observer(exhibit.atlas);

@@ -74,8 +74,7 @@ FrameRenderer::FrameRenderer(const Exhibit& exhibit)
 }
 
 void FrameRenderer::upload_halves() {
-    // Columns are set when a frame's size is known.
-    for (HalfView& view : half_views(exhibit_, scene_, 0)) {
+    for (HalfView& view : half_views(exhibit_, scene_)) {
         ShadowMaps shadows(view.lamps, scene_, meshes_);
         halves_.push_back({std::move(view), std::move(shadows), {}});
         Half& half = halves_.back();

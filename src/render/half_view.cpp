@@ -75,19 +75,11 @@ Method method_of(const Exhibit& exhibit, const Half* half, const ObjectSetting& 
     return half && half->method ? *half->method : exhibit.method;
 }
 
-std::vector<HalfView> half_views(const Exhibit& exhibit, const Scene& scene, int width_px) {
-    std::vector<HalfView> views;
-    if (!exhibit.compare) {
-        views.push_back(view_for(exhibit, nullptr, scene));
-        views[0].end_px = width_px;
-        return views;
-    }
-    const int column = split_column(*exhibit.compare, width_px);
-    views.push_back(view_for(exhibit, &exhibit.compare->left, scene));
-    views.push_back(view_for(exhibit, &exhibit.compare->right, scene));
-    views[0].end_px = views[1].begin_px = column;
-    views[1].end_px = width_px;
-    return views;
+std::vector<HalfView> half_views(const Exhibit& exhibit, const Scene& scene) {
+    if (!exhibit.compare)
+        return {view_for(exhibit, nullptr, scene)};
+    return {view_for(exhibit, &exhibit.compare->left, scene),
+            view_for(exhibit, &exhibit.compare->right, scene)};
 }
 
 } // namespace metamer

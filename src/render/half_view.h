@@ -26,12 +26,11 @@ struct HalfView {
     std::vector<HalfLamp> lamps; ///< those that cast shadows first
     int shadows = 0;             ///< how many of them
     OutputSpace output;
-    int begin_px = 0, end_px = 0; ///< its columns
 };
 
-/// One view for the whole frame, or two for a comparison, for a frame of `width_px` columns. Throws bad_input
-/// where adaptation to the half's lamps is asked for and impossible.
-std::vector<HalfView> half_views(const Exhibit& exhibit, const Scene& scene, int width_px);
+/// One view for the whole frame, or two for a comparison, the left first. Throws bad_input where adaptation to
+/// the half's lamps is asked for and impossible.
+std::vector<HalfView> half_views(const Exhibit& exhibit, const Scene& scene);
 
 /// The column where the right half begins, 0 .. width_px.
 int split_column(const Compare& compare, int width_px);

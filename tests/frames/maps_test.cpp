@@ -28,7 +28,7 @@ ObjectSetting& wall(Exhibit& exhibit) {
 }
 
 EncodedRgb8 twin(const Exhibit& exhibit, int key, double luminance = 1) {
-    const HalfView view = half_views(exhibit, build_scene(exhibit), 160).front();
+    const HalfView view = half_views(exhibit, build_scene(exhibit)).front();
     Reflectance material = reflectance(exhibit.atlas, key);
     for (double& r : material.value)
         r *= luminance;
@@ -87,7 +87,7 @@ TEST(Bump, ASlopeTiltsTheNormal) {
 
 TEST(MaterialMap, HoldsNumbersToASixteenBitStep) {
     const Exhibit exhibit = wall_by("rgb");
-    const HalfView view = half_views(exhibit, build_scene(exhibit), 160).front();
+    const HalfView view = half_views(exhibit, build_scene(exhibit)).front();
     const Image map = material_map(Method::rgb, exhibit.atlas, view.output);
     for (int key = 1; key <= 3; ++key) {
         const auto numbers = material_numbers(Method::rgb, reflectance(exhibit.atlas, key),
@@ -105,7 +105,7 @@ TEST(Ramp, MixesByReflectanceByXyzAndByCodes) {
         exhibit_of("[display]\nwidth = 256\nheight = 96\n[scene]\nkind = ramp\nmaterials = cc-blue, "
                    "cc-yellow\n[lamp.1]\nspectrum = F11\nstrength = 0.8\n");
     const Image image = frame_of(exhibit);
-    const HalfView view = half_views(exhibit, build_scene(exhibit), 256).front();
+    const HalfView view = half_views(exhibit, build_scene(exhibit)).front();
     const GridObserver seen_by = observer(exhibit.atlas);
     const Emission& lamp = view.lamps[0].emission;
     const Reflectance a = reflectance(exhibit.atlas, exhibit.objects[0].material.key);

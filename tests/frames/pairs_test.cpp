@@ -19,7 +19,7 @@ Exhibit patches_of(const std::string& set) {
 
 void compare_with_twin(const Exhibit& exhibit, const Image& image) {
     Scene scene = build_scene(exhibit);
-    const HalfView view = half_views(exhibit, scene, 64).front();
+    const HalfView view = half_views(exhibit, scene).front();
     const auto columns =
         static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(exhibit.objects.size())) - 1e-9));
     const std::size_t rows = (exhibit.objects.size() + columns - 1) / columns;

@@ -32,7 +32,7 @@ std::array<double, 3> array_of(const Vector& v) {
 /// The pixel that the twin expects at a point of a flat surface under the exhibit's lamps.
 EncodedRgb8 expected(const Exhibit& exhibit, const Scene& scene, const ObjectSetting& object,
                      const Vector& at, const Vector& normal) {
-    const HalfView view = half_views(exhibit, scene, exhibit.display.width_px).front();
+    const HalfView view = half_views(exhibit, scene).front();
     const double aspect = static_cast<double>(exhibit.display.width_px) / exhibit.display.height_px;
     SurfacePoint<double> point{.position = array_of(at),
                                .normal = array_of(normal),

@@ -1,5 +1,6 @@
 // Every GL object goes with its owner, however often, and moves without being copied or lost.
 #include <gtest/gtest.h>
+#include <optional>
 
 #include "gles/info.h"
 #include "gles/mesh.h"
@@ -49,16 +50,20 @@ TEST_F(Lifetime, LeavesNothingAfterFiftyTimes) {
 }
 
 TEST_F(Lifetime, MovesWithoutCopyOrLoss) {
-    Everything first;
+    std::optional<Everything> first(std::in_place);
     const int one_set = live_objects();
-    Everything second(std::move(first));
+    Everything second(std::move(*first));
+    first.reset(); // what was moved away owns nothing
     EXPECT_EQ(live_objects(), one_set);
     second.draw();
-    Everything third;
+    std::optional<Everything> third(std::in_place);
     EXPECT_GT(live_objects(), one_set);
-    third = std::move(second);
-    third.draw();
+    *third = std::move(second);
     EXPECT_EQ(live_objects(), one_set);
+    third->draw();
+    third.reset();
+    glUseProgram(0); // a program in use outlives its deletion
+    EXPECT_LT(live_objects(), one_set);
 }
 
 TEST_F(Lifetime, LeavesNothingWhereAConstructorThrows) {

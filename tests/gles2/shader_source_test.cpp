@@ -138,6 +138,12 @@ TEST(ComposeShader, AllowsTheSameIncludeTwiceInOneBranch) {
               "#if A\nx\n#if B\n#endif\n#endif\n");
 }
 
+TEST(ComposeShader, FollowsEveryBranchToItsEnd) {
+    const std::string text = "#ifdef A\n#elif B\n#ifndef C\n#endif\n#else\n#endif\n#include \"x.glsl\"\n";
+    EXPECT_EQ(compose_shader("main.frag", {}, files_of({{"main.frag", text}, {"x.glsl", "x\n"}})).text,
+              "#ifdef A\n#elif B\n#ifndef C\n#endif\n#else\n#endif\nx\n");
+}
+
 /// Line 1 of the text is line 1 of a.frag, line 2 line 7 of lamps.glsl.
 ComposedShader two_lines() {
     return {"a\nb\n", {{"shaders_es/a.frag", 1}, {"shaders_es/lamps.glsl", 7}}, "shaders_es/a.frag"};
