@@ -28,8 +28,8 @@ struct HalfView {
     OutputSpace output;
 };
 
-/// One view for the whole frame, or two for a comparison, the left first. Throws bad_input where adaptation to
-/// the half's lamps is asked for and impossible.
+/// One view for the whole frame, or two for a comparison, the left first. Throws bad_input where adaptation
+/// to the half's lamps is asked for and impossible.
 std::vector<HalfView> half_views(const Exhibit& exhibit, const Scene& scene);
 
 /// The column where the right half begins, 0 .. width_px.
