@@ -59,16 +59,14 @@ struct MaterialSetting {
     int key = 0;       ///< its row in Exhibit::atlas
 };
 
-/// How `ramp` mixes its two materials along an object.
-enum class Mix { reflectance, xyz, rgb };
-
 /// An object of the scene with everything that [object.NAME] may change; defaults come from the scene's kind.
 struct ObjectSetting {
     std::string name;
     MaterialSetting material;
-    std::optional<Method> method;                ///< its own method beats the half's and [accuracy]'s
-    std::optional<MaterialSetting> material_end; ///< ramps: the material at the far end
-    Mix mix = Mix::reflectance;
+    std::optional<Method> method; ///< its own method beats the half's and [accuracy]'s
+    /// Ramps: the material at the far end. Their method says what is mixed: `spectral` reflectances,
+    /// `tristimulus` XYZ, `rgb` code values, as a paint program does.
+    std::optional<MaterialSetting> material_end;
     std::optional<Image> key_map;       ///< R of a pixel = key of its material; power of two, at most 2048
     std::optional<Image> luminance_map; ///< R of a pixel / 255 scales the reflectance
     std::optional<Image> bump_map;      ///< R = height 0 .. 1

@@ -36,10 +36,6 @@ std::vector<std::string> transfer_names() {
 std::vector<std::string> adaptation_names() {
     return {"none", "bradford"};
 }
-std::vector<std::string> mix_names() {
-    return {"reflectance", "xyz", "rgb"};
-}
-
 using enum ValueKind;
 
 // clang-format off
@@ -75,7 +71,7 @@ constexpr KeyInfo kKeys[] = {
     {"lamp.N", "shadow", yes_no, "", 0, 0, 1, nullptr, "no", "whether objects cast shadows in its light; at most 4 lamps"},
 
     {"object.NAME", "material", material, "", 0, 0, 1, nullptr, "the scene's", "what it is made of (a ramp: at its near end)"},
-    {"object.NAME", "method", choice, "", 0, 0, 1, method_names, "the half's, or [accuracy] method", "how its color is computed"},
+    {"object.NAME", "method", choice, "", 0, 0, 1, method_names, "the half's, or [accuracy] method", "how its color is computed; along a ramp also what is mixed: code values, XYZ, reflectances"},
     {"object.NAME", "key_map", file, "", 0, 0, 1, nullptr, "none",
      "PNG, power-of-two sides up to 2048; red of a pixel = key of its material"},
     {"object.NAME", "luminance_map", file, "", 0, 0, 1, nullptr, "none",
@@ -84,7 +80,6 @@ constexpr KeyInfo kKeys[] = {
     {"object.NAME", "bump_height", number, "map widths", 0, 1, 1, nullptr, "0.02", "height of the bump map's white over its black"},
     {"object.NAME", "specular", number, "", 0, 1, 1, nullptr, "the scene's", "share of the lamp's light that is mirrored unfiltered"},
     {"object.NAME", "shininess", number, "", 1, 1000, 1, nullptr, "the scene's", "Blinn-Phong exponent: 1 dull, 1000 sharp"},
-    {"object.NAME", "mix", choice, "", 0, 0, 1, mix_names, "the scene's", "ramps only: what is mixed between the two materials"},
 
     {"compare", "split", split, "", 0, 1, 1, nullptr, "0.5", "where the right half begins"},
     {"compare", "line", whole, "px", 0, 64, 1, nullptr, "0", "width of a gray line over the split"},

@@ -78,8 +78,6 @@ void refuse_ramps(const ObjectSection& section, const ObjectSetting& object) {
     for (const char* key : {"key_map", "luminance_map", "bump"})
         if (const Setting* s = section.find(key); s && object.material_end)
             throw refused(*s, "cannot be carried by a ramp");
-    if (const Setting* s = section.find("mix"); s && !object.material_end)
-        throw refused(*s, "needs a ramp to mix along");
 }
 
 void change_object(const ObjectSection& section, Rows& rows, ObjectSetting& object) {
@@ -97,8 +95,6 @@ void change_object(const ObjectSection& section, Rows& rows, ObjectSetting& obje
         object.specular = number(*s);
     if (const Setting* s = section.find("shininess"))
         object.shininess = number(*s);
-    if (const Setting* s = section.find("mix"))
-        object.mix = std::array{Mix::reflectance, Mix::xyz, Mix::rgb}[choice(*s)];
 }
 
 /// Evenly lit scenes know no relief and no highlights: say so instead of doing nothing silently.
@@ -146,7 +142,6 @@ ObjectSetting by_default(const ObjectDefault& object, const Palette& palette, Ro
     if (!object.material_end.empty())
         setting.material_end = resolve(object.material_end);
     setting.method = object.method;
-    setting.mix = object.mix;
     setting.specular = object.specular;
     setting.shininess = object.shininess;
     return setting;

@@ -32,15 +32,15 @@ std::vector<ObjectDefault> pieces(const std::string& word, std::span<const std::
 }
 
 std::vector<ObjectDefault> ramps(const std::string& near_end, const std::string& far_end) {
-    return {{"ramp-reflectance", near_end, far_end, Method::spectral, Mix::reflectance},
-            {"ramp-xyz", near_end, far_end, Method::tristimulus, Mix::xyz},
-            {"ramp-rgb", near_end, far_end, Method::rgb, Mix::rgb}};
+    return {{"ramp-reflectance", near_end, far_end, Method::spectral},
+            {"ramp-xyz", near_end, far_end, Method::tristimulus},
+            {"ramp-rgb", near_end, far_end, Method::rgb}};
 }
 
 /// Warm and cool things side by side: no lamp flatters both.
 std::vector<ObjectDefault> still_life() {
     const auto thing = [](const char* name, const char* material, double specular, double shininess) {
-        return ObjectDefault{name, material, "", std::nullopt, Mix::reflectance, specular, shininess};
+        return ObjectDefault{name, material, "", std::nullopt, specular, shininess};
     };
     return {thing("table", "cc-dark-skin", 0.05, 16),     thing("wall", "cc-neutral-6.5", 0, 32),
             thing("ball", "crayon-white", 0.2, 60),       thing("orange", "crayon-orange", 0.1, 24),

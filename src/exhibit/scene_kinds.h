@@ -35,7 +35,6 @@ struct ObjectDefault {
     std::string material;     ///< as [scene] materials or the library names it
     std::string material_end; ///< ramps: at the far end; else empty
     std::optional<Method> method;
-    Mix mix = Mix::reflectance;
     double specular = 0;
     double shininess = 32;
 };

@@ -56,7 +56,7 @@ std::array<double, 3> codes(const std::array<double, 3>& linear, Transfer transf
 
 Surface surface_of(const ObjectSetting& object, Method method) {
     if (object.material_end)
-        return object.mix == Mix::rgb && method == Method::rgb ? Surface::ramp_codes : Surface::ramp;
+        return method == Method::rgb ? Surface::ramp_codes : Surface::ramp;
     return has_maps(object) ? Surface::maps : Surface::plain;
 }
 

@@ -117,7 +117,6 @@ TEST(LoadErrors, SceneAndObjects) {
         {"[object.crayon-1]\nspecular = 1.5\n", "2: specular = 1.5 is above 1; it may be 0 .. 1"},
         {"[object.crayon-1]\nshininess = 0.5\n", "2: shininess = 0.5 is below 1; it may be 1 .. 1000"},
         {"[object.crayon-1]\nbump_height = 0.5\n", "2: bump_height = 0.5 asks for a bump map: bump = FILE"},
-        {"[object.crayon-1]\nmix = xyz\n", "2: mix = xyz needs a ramp to mix along"},
         {"[object.crayon-1]\nluminance_map = none.png\n",
          "2: luminance_map = none.png: there is no such file"},
         {"[object.crayon-1]\nluminance_map = maps\n", "2: luminance_map = maps: it is a folder"},

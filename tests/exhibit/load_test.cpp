@@ -105,17 +105,15 @@ TEST(Load, APieceIsReachedByItsMaterialToo) {
 
 TEST(Load, RampEndsAndMixes) {
     const Exhibit exhibit =
-        exhibit_of("[scene]\nkind = ramp\nmaterials = cc-red, cc-blue\n[object.ramp-rgb]\nmix = xyz\n"
+        exhibit_of("[scene]\nkind = ramp\nmaterials = cc-red, cc-blue\n[object.ramp-rgb]\n"
                    "method = spectral\n");
     for (const ObjectSetting& ramp : exhibit.objects) {
         EXPECT_EQ(ramp.material.material.name, "cc-red");
         EXPECT_EQ(ramp.material_end->material.name, "cc-blue");
         EXPECT_EQ(ramp.material_end->key, 2);
     }
-    EXPECT_EQ(exhibit.objects.at(2).mix, Mix::xyz);
     EXPECT_EQ(exhibit.objects.at(2).method, Method::spectral);
-    EXPECT_EQ(exhibit.objects.at(1).mix, Mix::xyz);
-    EXPECT_EQ(exhibit.objects.at(0).mix, Mix::reflectance);
+    EXPECT_EQ(exhibit.objects.at(1).method, Method::tristimulus);
 }
 
 TEST(Load, Compare) {

@@ -43,10 +43,8 @@ TEST(SceneKinds, ARampMixesThreeWays) {
     EXPECT_EQ(ramps[0].method, Method::spectral);
     EXPECT_EQ(ramps[1].name, "ramp-xyz");
     EXPECT_EQ(ramps[1].method, Method::tristimulus);
-    EXPECT_EQ(ramps[1].mix, Mix::xyz);
     EXPECT_EQ(ramps[2].name, "ramp-rgb");
     EXPECT_EQ(ramps[2].method, Method::rgb);
-    EXPECT_EQ(ramps[2].mix, Mix::rgb);
 }
 
 TEST(SceneKinds, TheStillLifeHasItsTenThings) {

@@ -30,7 +30,6 @@ TEST(Surfaces, FollowTheObject) {
     EXPECT_EQ(surface_of(object, Method::rgb), Surface::maps);
     object.material_end.emplace();
     EXPECT_EQ(surface_of(object, Method::spectral), Surface::ramp);
-    object.mix = Mix::rgb;
     EXPECT_EQ(surface_of(object, Method::rgb), Surface::ramp_codes);
     EXPECT_EQ(surface_of(object, Method::spectral), Surface::ramp);
 }
