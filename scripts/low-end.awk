@@ -23,6 +23,8 @@ FNR == NR {
     sub(/:? *$/, "", reason)
     gsub(/  +/, " ", reason)
     cell[$1, $2] = "FAIL"
+    if (lamps($1) > 0 && (!($2 in fails_at) || lamps($1) < fails_at[$2]))
+        fails_at[$2] = lamps($1)
     key = $2 SUBSEP reason
     if (!(key in count))
         why[++reasons] = key
@@ -34,6 +36,11 @@ FNR == NR {
 function method(name) {
     sub(/-.*/, "", name)
     return name
+}
+
+# How many lamps a variant has, by its name; 0 where it does not say.
+function lamps(name) {
+    return match(name, /-[0-9]+lamps?-/) ? substr(name, RSTART + 1) + 0 : 0
 }
 
 function heading(  line, rule, g) {
@@ -53,10 +60,11 @@ END {
     print "Mesa's compilers, not the vendors'. What passes has a program for both stages; GL itself reports success even"
     print "where a driver drops the draw for want of one.\n"
     print "## The GPUs\n"
-    print "| name | what it is | variants that run |"
-    print "|---|---|---:|"
+    print "| name | what it is | variants that run | the first that does not has |"
+    print "|---|---|---:|---|"
     for (g = 1; g <= gpus; g++)
-        printf "| %s | %s | %d of %d |\n", gpu[g], described[gpu[g]], passed[gpu[g]], variants
+        printf "| %s | %s | %d of %d | %s |\n", gpu[g], described[gpu[g]], passed[gpu[g]], variants,
+            gpu[g] in fails_at ? fails_at[gpu[g]] " lamps" : "-"
     print "\n## Instructions of the fragment shader\n"
     print "Static counts, a loop counted once. Units differ: compare variants on one GPU, not GPUs with each other."
     for (v = 1; v <= variants; v++) {
