@@ -41,9 +41,7 @@ Exhibit load(const ExhibitArguments& arguments) {
 }
 
 void print_json(const nlohmann::ordered_json& document) {
-    // Paths are bytes and end up in names: what is no UTF-8 in them becomes U+FFFD.
-    constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
-    std::cout << document.dump(2, ' ', false, replace) << '\n';
+    std::cout << document.dump(2) << '\n';
 }
 
 std::string counted(std::size_t count, const std::string& what) {

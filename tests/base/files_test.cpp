@@ -74,5 +74,22 @@ TEST_F(Files, AFailedWriteLeavesNothing) {
     EXPECT_EQ(entries(), 0u);
 }
 
+TEST_F(Files, ALinkStaysAndItsFileIsReplaced) {
+    write_file(folder_ / "f", "old");
+    fs::create_symlink("f", folder_ / "link");
+    write_file(folder_ / "link", "new");
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+    EXPECT_EQ(read_file(folder_ / "f"), "new");
+    EXPECT_EQ(entries(), 2u);
+}
+
+TEST_F(Files, ADeviceIsWrittenToAsItStands) {
+    fs::create_symlink("/dev/full", folder_ / "full");
+    EXPECT_THAT(message_of([&] { write_file(folder_ / "full", "x"); }),
+                HasSubstr("full: No space left on device"));
+    EXPECT_TRUE(fs::is_symlink(folder_ / "full"));
+    EXPECT_EQ(entries(), 1u);
+}
+
 } // namespace
 } // namespace metamer
