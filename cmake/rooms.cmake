@@ -35,6 +35,14 @@ function(metamer_test name)
     gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60 WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} TEST_PREFIX ${name}.)
 endfunction()
 
+# metamer_test_again(PROGRAM NAME VARIABLE=VALUE FILTER)   tests of test_PROGRAM once more under another environment;
+#   several variables are parted by semicolons
+function(metamer_test_again program name environment filter)
+    add_test(NAME ${program}.again-${name} COMMAND test_${program} --gtest_filter=${filter}
+             WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+    set_tests_properties(${program}.again-${name} PROPERTIES ENVIRONMENT "${environment}")
+endfunction()
+
 # metamer_embed(TARGET NAMESPACE file...)
 #   adds to TARGET one generated source that holds the files as text, looked up by name:
 #   `std::string_view NAMESPACE::embedded(std::string_view file_name)`, empty when there is no such file.

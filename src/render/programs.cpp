@@ -1,12 +1,24 @@
 #include "render/programs.h"
 
+#include <glm/mat4x4.hpp>
+
+#include "base/error.h"
+#include "gles/draw_check.h"
 #include "gles/mesh_data.h"
 
 namespace metamer {
 
 Program build_program(const ShaderVariant& variant) {
-    return {compose_shader(variant.vertex, variant.defines, shader_files()),
-            compose_shader(variant.fragment, variant.defines, shader_files()), kMeshAttributes};
+    Program program(compose_shader(variant.vertex, variant.defines, shader_files()),
+                    compose_shader(variant.fragment, variant.defines, shader_files()), kMeshAttributes);
+    program.set("u_clip_from_world", glm::mat4(1));
+    program.set("u_shadow_from_world", glm::mat4(1));
+    if (!draws(program))
+        throw failure("draw with", std::string(kShaderFolder) + variant.fragment,
+                      "the driver accepts " + variant.name +
+                          " and draws nothing; it is too long for this GPU, which fewer lamps, shadows or "
+                          "maps may mend");
+    return program;
 }
 
 const Program& Programs::get(const Variant& variant) {

@@ -8,7 +8,7 @@
 
 namespace metamer {
 
-/// Composes, compiles and links one variant.
+/// Composes, compiles and links one variant, and sees that it draws. Throws failure where the GPU does not.
 Program build_program(const ShaderVariant& variant);
 
 /// Needs a context; each variant is built once.
