@@ -32,7 +32,9 @@ function(metamer_test name)
     target_compile_definitions(test_${name} PRIVATE METAMER_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     target_link_libraries(test_${name} PRIVATE ${TEST_LINKS} metamer_flags GTest::gmock GTest::gtest_main)
     include(GoogleTest)
-    gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60 WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} TEST_PREFIX ${name}.)
+    # A parameter's value in the name may be an address: names without values stay what they are.
+    gtest_discover_tests(test_${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+                         TEST_PREFIX ${name}.)
 endfunction()
 
 # metamer_test_again(PROGRAM NAME VARIABLE=VALUE FILTER)   tests of test_PROGRAM once more under another environment;

@@ -69,5 +69,5 @@ rm "$scratch/bin/dpkg-query"
 expect_has "no dpkg" "taking for granted" "$(PATH=$scratch/bin in_lib "install_packages build")"
 
 expect "every package has a group and a reason" "" \
-    "$(awk '!/^#/ && (NF < 3 || $2 !~ /^(build|run|test|ci)$/)' "$scripts/packages")"
+    "$(awk '!/^#/ && (NF < 3 || $2 !~ /^(build|run|test|ci|bench)$/)' "$scripts/packages")"
 done_expecting
