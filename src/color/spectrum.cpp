@@ -4,13 +4,6 @@
 
 namespace metamer {
 
-double value_at(const Curve& curve, double wavelength_nm, double outside) {
-    const auto& w = curve.wavelength_nm;
-    if (w.empty() || wavelength_nm < w.front() || wavelength_nm > w.back())
-        return outside;
-    return value_at_held(curve, wavelength_nm);
-}
-
 double value_at_held(const Curve& curve, double wavelength_nm) {
     const auto& w = curve.wavelength_nm;
     const auto& v = curve.value;

@@ -15,9 +15,6 @@ struct Curve {
     std::vector<double> value;
 };
 
-/// A curve's value by linear interpolation; `outside` beyond its ends.
-double value_at(const Curve& curve, double wavelength_nm, double outside);
-
 /// A curve's value by linear interpolation, the nearest end's value beyond its ends.
 double value_at_held(const Curve& curve, double wavelength_nm);
 

@@ -22,6 +22,22 @@ TEST(NearestName, OffersNothingForSomethingElse) {
     EXPECT_EQ(nearest_name(std::string(10000, 'x'), kKnown), "");
 }
 
+TEST(NearestName, NeighborsSwappedAreOneSlip) {
+    EXPECT_EQ(nearest_name("form", std::vector<std::string>{"fabm", "from"}), "from");
+}
+
+TEST(NearestName, HalfTheLettersMustBeRight) {
+    const std::vector<std::string> known{"abcdef"};
+    EXPECT_EQ(nearest_name("abcxxx", known), "abcdef");
+    EXPECT_EQ(nearest_name("abxxxx", known), "");
+}
+
+TEST(NearestName, LooksAtNoNameBeyond64Letters) {
+    const std::vector<std::string> known{std::string(64, 'a'), std::string(65, 'b')};
+    EXPECT_EQ(nearest_name(std::string(64, 'a'), known), known[0]);
+    EXPECT_EQ(nearest_name(std::string(65, 'b'), known), "");
+}
+
 TEST(DidYouMean, IsASentenceOrNothing) {
     EXPECT_EQ(did_you_mean("spectre", kKnown), "; did you mean \"spectrum\"?");
     EXPECT_EQ(did_you_mean("qqq", kKnown), "");

@@ -74,7 +74,7 @@ TEST(Resample, KeepsEnergyAndCentroidAtAnyStep) {
 TEST(Resample, KeepsEnergyAndCentroidOfIrregularSamples) {
     Curve curve;
     double expected = 0, moment = 0;
-    for (double w = 470; w < 620; w += 0.3 + 0.9 * std::abs(std::sin(w))) {
+    for (double w = 470; w < 620; w += 0.3 + 0.9 * std::abs(std::sin(w)) + 0.02 * (w - 470)) {
         curve.wavelength_nm.push_back(w);
         curve.value.push_back(bell(w));
     }
@@ -102,6 +102,14 @@ TEST(Resample, MaterialsHoldTheirEnds) {
     EXPECT_NEAR(mean[33], 0.5, 1e-12); // 550
 }
 
+// 500 nm lies before the first sample: what the samples beside it say of the slope is not its affair.
+TEST(Resample, MaterialsHoldTheirEndsBetweenIntervalsToo) {
+    const auto mean = resample(
+        MaterialSpectrum{sampled(502, 598, 1, [](double nm) { return (nm - 500) / 100; })}, kThesisGrid);
+    EXPECT_DOUBLE_EQ(mean[23], 0.02); // 500
+    EXPECT_DOUBLE_EQ(mean[43], 0.98); // 600
+}
+
 TEST(Resample, AFinelySampledConstantReflectanceStaysConstant) {
     const auto mean =
         resample(MaterialSpectrum{sampled(390.3, 690.1, 0.7, [](double) { return 0.37; })}, kThesisGrid);
@@ -121,6 +129,13 @@ TEST(SampleLamp, IsScaledToItsPeak) {
     EXPECT_DOUBLE_EQ(lamp.peak, 8); // 40 over an interval of 5 nm
     EXPECT_DOUBLE_EQ(lamp.emission.value[43], 1);
     EXPECT_DOUBLE_EQ(lamp.emission.value[23], 0.25);
+}
+
+TEST(SampleMaterial, IsClamped) {
+    const Reflectance sampled = sample_material({{{385, 700}, {-0.5, 1.5}}});
+    EXPECT_EQ(sampled.value[0], 0);
+    EXPECT_EQ(sampled.value[63], 1);
+    EXPECT_NEAR(sampled.value[30], -0.5 + 2.0 * 150 / 315, 1e-12);
 }
 
 TEST(SampleLamp, WithoutLightOnTheGridIsAllZero) {

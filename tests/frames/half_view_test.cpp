@@ -56,6 +56,53 @@ TEST(HalfViews, BradfordTurnsTheLampWhite) {
     EXPECT_NEAR(white.b, 1, 1e-6);
 }
 
+TEST(HalfViews, BradfordTurnsTheLightOfAllLampsWhite) {
+    const Exhibit exhibit =
+        patches("[display]\nadaptation = bradford\n[lamp.1]\nspectrum = A2800\nstrength = "
+                "3\n[lamp.2]\nspectrum = F7\nstrength = 0.5\n");
+    const HalfView view = views_of(exhibit)[0];
+    Xyz light;
+    for (const HalfLamp& lamp : view.lamps)
+        light = light + lamp.strength * lamp_xyz(lamp.emission, observer(exhibit.atlas));
+    const auto white = to_linear_rgb(view.output.adapted_rgb_from_xyz(), (1 / 3.5) * light);
+    EXPECT_NEAR(white.r, 1, 1e-6);
+    EXPECT_NEAR(white.g, 1, 1e-6);
+    EXPECT_NEAR(white.b, 1, 1e-6);
+}
+
+TEST(HalfViews, WithoutAdaptationThereIsNone) {
+    EXPECT_EQ(views_of(patches("[lamp.1]\nspectrum = A2800\n"))[0].output.adaptation.m,
+              Matrix3::identity().m);
+}
+
+TEST(HalfViews, TheTransferIsTheDisplays) {
+    EXPECT_EQ(views_of(patches(""))[0].output.transfer, Transfer::srgb);
+    EXPECT_EQ(views_of(patches("[display]\ntransfer = none\n"))[0].output.transfer, Transfer::none);
+}
+
+TEST(HalfViews, LampsWithoutAPlaceStandWhereTheSceneWantsThem) {
+    const Exhibit exhibit = exhibit_of(
+        "[scene]\nkind = still-life\n[lamp.1]\nspectrum = A\n[lamp.2]\nspectrum = "
+        "F11\n[lamp.3]\nspectrum = E\nposition = 1 2 3\nfalloff = 0.5 0.25 2\n[lamp.4]\nspectrum = "
+        "E\ndirection = 0 -1 0\n");
+    const Scene scene = build_scene(exhibit);
+    const auto lamps = half_views(exhibit, scene)[0].lamps;
+    ASSERT_EQ(lamps.size(), 4u);
+    EXPECT_EQ(lamps[0].place, glm::vec4(scene.lamp_directions[0], 0));
+    EXPECT_EQ(lamps[1].place, glm::vec4(scene.lamp_directions[1], 0));
+    EXPECT_EQ(lamps[2].place, glm::vec4(1, 2, 3, 1));
+    EXPECT_EQ(lamps[2].falloff.constant, 0.5);
+    EXPECT_EQ(lamps[2].falloff.linear, 0.25);
+    EXPECT_EQ(lamps[2].falloff.quadratic, 2);
+    EXPECT_EQ(lamps[3].place, glm::vec4(0, 1, 0, 0)) << "light falls down, the lamp is up";
+}
+
+TEST(HalfViews, FlatScenesHaveNoShadows) {
+    const HalfView view = views_of(patches("[lamp.1]\nspectrum = A\nshadow = yes\n"))[0];
+    EXPECT_EQ(view.shadows, 0);
+    EXPECT_FALSE(view.lamps[0].shadow);
+}
+
 TEST(HalfViews, BradfordCannotAdaptToSodium) {
     const Exhibit exhibit = patches("[display]\nadaptation = bradford\n[lamp.1]\nspectrum = line:589.3\n");
     EXPECT_THROW(views_of(exhibit), Error);
@@ -67,11 +114,27 @@ TEST(HalfViews, AHalfsWorkingSpaceBeatsAnOwnMatrix) {
     const auto views = views_of(exhibit);
     EXPECT_EQ(views[0].output.rgb_from_xyz.m, Matrix3::identity().m);
     EXPECT_EQ(views[1].output.rgb_from_xyz.m, rgb_from_xyz(*find_working_space("NTSC-C")).m);
+    EXPECT_EQ(views[1].output.white, &white_emission(*find_working_space("NTSC-C")));
+}
+
+// An own matrix says nothing of an illuminant: materials of method rgb are known under D65 then.
+TEST(HalfViews, AnOwnMatrixHasTheWhiteOfSrgb) {
+    Exhibit exhibit = patches("[display]\nworking_space = NTSC-C\n");
+    exhibit.display.matrix = Matrix3::identity();
+    EXPECT_EQ(views_of(exhibit)[0].output.white, &white_emission(working_spaces()[0]));
 }
 
 TEST(ColorChunks, SayWhatThePixelsMean) {
     Display display;
     EXPECT_TRUE(color_chunks(display).srgb);
+    display.working_space = find_working_space("PAL-D65");
+    EXPECT_FALSE(color_chunks(display).srgb);
+    EXPECT_DOUBLE_EQ(color_chunks(display).gamma, 1 / 2.2);
+    display.working_space = &working_spaces()[0];
+    display.matrix = rgb_from_xyz(*find_working_space("Adobe-D65"));
+    EXPECT_FALSE(color_chunks(display).srgb);
+    EXPECT_NEAR(color_chunks(display).xy.value()[4], 0.21, 1e-9); // green's x
+    display.matrix.reset();
     display.transfer = Transfer::none;
     EXPECT_FALSE(color_chunks(display).srgb);
     EXPECT_EQ(color_chunks(display).gamma, 1);
@@ -81,6 +144,14 @@ TEST(ColorChunks, SayWhatThePixelsMean) {
     EXPECT_NEAR(xy[5], 0.71, 1e-9);       // green's y
     display.matrix = Matrix3::identity(); // primaries X, Y, Z: y of X is 0, no chromaticities for a PNG
     EXPECT_FALSE(color_chunks(display).xy);
+}
+
+TEST(EncodedFrame, NamesItsExhibit) {
+    Exhibit exhibit;
+    exhibit.place = "config/some.ini";
+    const Png png = decode_png(encode_frame({1, 1, {1, 2, 3, 255}}, exhibit), "frame");
+    EXPECT_EQ(png.text.at("Title"), "config/some.ini");
+    EXPECT_TRUE(png.color.srgb);
 }
 
 } // namespace

@@ -27,13 +27,13 @@ ObjectSetting& wall(Exhibit& exhibit) {
     throw std::logic_error("there is no wall");
 }
 
-EncodedRgb8 twin(const Exhibit& exhibit, int key, double luminance = 1) {
+EncodedRgb8 twin(const Exhibit& exhibit, int key, double luminance = 1, double cosine = 1) {
     const HalfView view = half_views(exhibit, build_scene(exhibit)).front();
     Reflectance material = reflectance(exhibit.atlas, key);
     for (double& r : material.value)
         r *= luminance;
-    return pair_rgb8<double>(exhibit.method, view.lamps[0].emission, 1, material, observer(exhibit.atlas),
-                             view.output);
+    return pair_rgb8<double>(exhibit.method, view.lamps[0].emission, cosine, material,
+                             observer(exhibit.atlas), view.output);
 }
 
 Image two_texels(std::uint8_t left, std::uint8_t right) {
@@ -52,6 +52,58 @@ TEST_P(MapsBy, KeysNameMaterials) {
     EXPECT_LE(steps(pixel(image, kLeftX, kTopY), twin(exhibit, 1)), 1);
     EXPECT_LE(steps(pixel(image, kRightX, kTopY), twin(exhibit, 2)), 1);
     EXPECT_GT(steps(twin(exhibit, 1), twin(exhibit, 2)), 40) << "the keys tell materials apart";
+}
+
+TEST_P(MapsBy, ThePicturesTopIsTheTop) {
+    // The frame shows the wall's lower half: the third and the fourth of four rows.
+    Exhibit exhibit = wall_by(GetParam());
+    wall(exhibit).key_map = Image{1, 4, {3, 0, 0, 255, 3, 0, 0, 255, 1, 0, 0, 255, 2, 0, 0, 255}};
+    const Image image = frame_of(exhibit);
+    EXPECT_LE(steps(pixel(image, 3, kTopY), twin(exhibit, 1)), 1);
+    EXPECT_LE(steps(pixel(image, 3, 38), twin(exhibit, 2)), 1);
+}
+
+TEST_P(MapsBy, WhatHasNoKeyMapKeepsItsMaterial) {
+    Exhibit exhibit = wall_by(GetParam());
+    wall(exhibit).material.key = 2;
+    wall(exhibit).luminance_map = Image{1, 1, {255, 0, 0, 255}};
+    EXPECT_LE(steps(pixel(frame_of(exhibit), kLeftX, kTopY), twin(exhibit, 2)), 1);
+}
+
+/// Heights that rise by one over the map's width, to the right or upwards.
+Image slope(bool upwards) {
+    Image image{8, 8, {}};
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x)
+            image.rgba.insert(image.rgba.end(),
+                              {static_cast<std::uint8_t>((upwards ? 7 - y : x) * 255 / 8), 0, 0, 255});
+    return image;
+}
+
+TEST_P(MapsBy, ASlopeIsLitAsItIsTilted) {
+    const double height = 0.4;
+    for (bool upwards : {false, true}) {
+        Exhibit exhibit = wall_by(GetParam());
+        exhibit.lamps[0].direction = {-0.6, -0.48, -0.64}; // from the right, from above, from the front
+        wall(exhibit).bump_map = slope(upwards);
+        wall(exhibit).bump = height;
+        // Uphill to the right looks left, (-height, 0, 1); uphill looks down.
+        const double cosine = (0.64 - height * (upwards ? 0.48 : 0.6)) / std::hypot(1, height);
+        EXPECT_LE(steps(pixel(frame_of(exhibit), kLeftX, kTopY),
+                        twin(exhibit, wall(exhibit).material.key, 1, cosine)),
+                  2)
+            << upwards;
+    }
+}
+
+// A key is a name: between 1 and 3 lies no 2.
+TEST_P(MapsBy, KeysAreNotMixed) {
+    Exhibit exhibit = wall_by(GetParam());
+    wall(exhibit).key_map = two_texels(1, 3);
+    const Image image = frame_of(exhibit);
+    const EncodedRgb8 one = twin(exhibit, 1), three = twin(exhibit, 3);
+    for (int x = 0; x < 160; ++x)
+        EXPECT_LE(std::min(steps(pixel(image, x, kTopY), one), steps(pixel(image, x, kTopY), three)), 1) << x;
 }
 
 TEST_P(MapsBy, LuminanceScalesReflectance) {
@@ -83,6 +135,19 @@ TEST(Bump, ASlopeTiltsTheNormal) {
     EXPECT_NEAR(tilt, -std::sqrt(0.5), 0.03) << "uphill to the right looks left";
     EXPECT_NEAR(up, std::sqrt(0.5), 0.03);
     EXPECT_EQ(normals.rgba[4 * 3 + 1], 128) << "level the other way";
+    // Maps repeat: the first column's left neighbor is the last.
+    EXPECT_NEAR((normals.rgba[0] - 128) / 127.0, 3 / std::sqrt(10.0), 0.02);
+}
+
+TEST(Bump, UphillLooksDown) {
+    Image heights{1, 4, {}};
+    for (std::uint8_t height : {255, 170, 85, 0})
+        heights.rgba.insert(heights.rgba.end(), {height, 0, 0, 255});
+    const Image normals = normal_map(heights, 3);
+    // A third up over one texel, which is as wide as the map: 45 degrees at a height of 3.
+    EXPECT_EQ(normals.rgba[4], 128);
+    EXPECT_NEAR((normals.rgba[5] - 128) / 127.0, -std::sqrt(0.5), 0.005);
+    EXPECT_NEAR((normals.rgba[6] - 128) / 127.0, std::sqrt(0.5), 0.005);
 }
 
 TEST(MaterialMap, HoldsNumbersToASixteenBitStep) {
@@ -98,6 +163,18 @@ TEST(MaterialMap, HoldsNumbersToASixteenBitStep) {
             EXPECT_NEAR(read, numbers[c], kMaterialMapSpan / 65535);
         }
     }
+}
+
+TEST(MaterialMap, ClampsWhatItsCodesCannotHold) {
+    const Exhibit exhibit = wall_by("rgb");
+    OutputSpace output = half_views(exhibit, build_scene(exhibit)).front().output;
+    output.rgb_from_xyz = Matrix3::diagonal(1000, -1000, 0.5);
+    const Image map = material_map(Method::rgb, exhibit.atlas, output);
+    const std::uint8_t* row = &map.rgba[8]; // key 1
+    EXPECT_EQ(row[0], 255);
+    EXPECT_EQ(row[4], 255);
+    EXPECT_EQ(row[1], 0);
+    EXPECT_EQ(row[5], 0);
 }
 
 TEST(Ramp, MixesByReflectanceByXyzAndByCodes) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 
 namespace metamer {
@@ -10,11 +11,12 @@ namespace {
 
 struct Vertex {
     glm::vec3 position, normal, tangent;
+    glm::vec2 uv;
 };
 
 Vertex vertex(const MeshData& mesh, std::size_t i) {
     const float* v = &mesh.vertices[i * kVertexFloats];
-    return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}};
+    return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}, {v[9], v[10]}};
 }
 
 /// Triangles turn the way that their normals point, tangents lie in the surface, and all is of unit length.
@@ -55,6 +57,71 @@ TEST(Meshes, BoxTorusAndLatheAreSound) {
     expect_sound(cone);
     lay_along_x(cone);
     expect_sound(cone);
+}
+
+TEST(Meshes, QuadCarriesTheMapUpright) {
+    MeshData mesh;
+    add_quad(mesh, {-1, 0, 5}, {3, 0, 5}, {3, 2, 5}, {-1, 2, 5});
+    expect_sound(mesh);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vertex v = vertex(mesh, i);
+        EXPECT_EQ(v.normal, glm::vec3(0, 0, 1));
+        EXPECT_EQ(v.tangent, glm::vec3(1, 0, 0)) << "along u";
+        EXPECT_EQ(v.uv, glm::vec2((v.position.x + 1) / 4, v.position.y / 2));
+    }
+}
+
+TEST(Meshes, TangentsRunAlongU) {
+    MeshData mesh;
+    add_surface(
+        mesh, [](double u, double v) { return glm::vec3(2 * u, 3 * v, u * v); }, 4, 5);
+    expect_sound(mesh);
+    for (std::size_t i = 0; i < mesh.vertices.size() / kVertexFloats; ++i) {
+        const Vertex v = vertex(mesh, i);
+        EXPECT_EQ(v.tangent.y, 0);
+        EXPECT_GT(v.tangent.x, 0.8f);
+        EXPECT_NEAR(v.uv.x, v.position.x / 2, 1e-6);
+        EXPECT_NEAR(v.uv.y, v.position.y / 3, 1e-6);
+    }
+}
+
+TEST(Meshes, BoxTurnsAboutTheVertical) {
+    MeshData mesh;
+    add_box(mesh, {1, 2, 3}, {2, 4, 6}, 0.5);
+    // The corner at (1, 2, 3) before the turn: the turn takes +z towards +x.
+    const glm::vec3 turned(1 + std::cos(0.5) + 3 * std::sin(0.5), 4, 3 + 3 * std::cos(0.5) - std::sin(0.5));
+    bool found = false;
+    for (std::size_t i = 0; i < mesh.vertices.size() / kVertexFloats; ++i)
+        found |= glm::distance(vertex(mesh, i).position, turned) < 1e-5f;
+    EXPECT_TRUE(found);
+}
+
+TEST(Meshes, TorusHasItsTube) {
+    MeshData mesh;
+    add_torus(mesh, {0, 1, 0}, 2, 0.5);
+    for (std::size_t i = 0; i < mesh.vertices.size() / kVertexFloats; ++i) {
+        const glm::vec3 p = vertex(mesh, i).position;
+        EXPECT_NEAR(std::hypot(std::hypot(p.x, p.z) - 2, p.y - 1), 0.5, 1e-5);
+    }
+}
+
+// Through a point that is given once the profile runs smoothly, along the chord of its neighbors.
+TEST(Meshes, LatheIsSmoothAtASinglePoint) {
+    MeshData mesh;
+    const std::vector<glm::vec2> profile{{0.2f, 0}, {0.5f, 0.5f}, {0.3f, 1}};
+    add_lathe(mesh, {0, 0, 0}, profile);
+    const glm::vec2 normal = glm::normalize(glm::vec2(1, -0.1f)); // of the chord (0.1, 1)
+    int seen = 0;
+    for (std::size_t i = 0; i < mesh.vertices.size() / kVertexFloats; ++i) {
+        const Vertex v = vertex(mesh, i);
+        if (std::abs(v.position.y - 0.5f) > 1e-5f)
+            continue;
+        ++seen;
+        EXPECT_NEAR(v.normal.y, normal.y, 0.02);
+        const glm::vec2 out = glm::normalize(glm::vec2(v.position.x, v.position.z));
+        EXPECT_NEAR(glm::dot(out, glm::vec2(v.normal.x, v.normal.z)), normal.x, 0.02) << "outwards";
+    }
+    EXPECT_GT(seen, 100) << "the end of one piece and the beginning of the next";
 }
 
 TEST(Meshes, LatheGoesThroughItsProfile) {

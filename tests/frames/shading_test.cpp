@@ -39,26 +39,41 @@ EncodedRgb8 expected(const Exhibit& exhibit, const Scene& scene, const ObjectSet
                                .eye = array_of(Vector(view_of(scene.camera, aspect).eye)),
                                .specular = object.specular,
                                .shininess = object.shininess};
+    const Method method = exhibit.method;
+    const Reflectance material = reflectance(exhibit.atlas, object.material.key);
+    const GridObserver seen_by = observer(exhibit.atlas);
     std::vector<LitEmission<double>> lit;
+    std::vector<LitColor<double>> colors;
     for (const HalfLamp& lamp : view.lamps) {
         const LampPlace<double> place{
             .at = array_of(Vector(lamp.place)),
             .directional = lamp.place.w == 0,
             .falloff = {lamp.falloff.constant, lamp.falloff.linear, lamp.falloff.quadratic}};
-        lit.push_back({&lamp.emission, lamp.strength, arriving_light(place, point)});
+        const Light<double> light = arriving_light(place, point);
+        lit.push_back({&lamp.emission, lamp.strength, light});
+        auto color = lamp_numbers(method, lamp.emission, seen_by, view.output);
+        for (double& number : color)
+            number *= lamp.strength;
+        colors.push_back({color, light});
     }
-    const auto xyz =
-        spectral<double>(lit, reflectance(exhibit.atlas, object.material.key), observer(exhibit.atlas));
+    const auto [a, b, c] = product<double>(colors, material_numbers(method, material, seen_by, view.output));
+    if (method == Method::rgb)
+        return encode_rgb8(view.output.transfer, LinearRgb{a, b, c});
+    const Xyz xyz = method == Method::spectral ? spectral<double>(lit, material, seen_by) : Xyz{a, b, c};
     return encode_rgb8(view.output.transfer, to_output(view.output.adapted_rgb_from_xyz(), xyz));
 }
 
 const double kRoot = std::sqrt(0.5);
 
 // The loaf of one slice is a box of 2 x 1.88 x 2, edge on; its right face has the normal (1, 0, 1)/sqrt 2.
-void compare_right_face(const std::string& lamps) {
-    const Exhibit exhibit =
+void compare_right_face(const std::string& lamps, Method method) {
+    Exhibit exhibit =
         exhibit_of("[display]\nwidth = 200\nheight = 160\n[scene]\nkind = loaf\nmaterials = cc-orange\n" +
                    lamps + "[object.slice-1]\nspecular = 0.3\nshininess = 20\n");
+    exhibit.method = method;
+    for (LampSetting& lamp : exhibit.lamps)
+        if (lamp.direction)
+            lamp.falloff = {1.25, 0.5, 0.5}; // no distance: the constant alone counts
     const Scene scene = build_scene(exhibit);
     const Image image = frame_of(exhibit);
     const Vector normal(kRoot, 0, kRoot), on = normal;
@@ -69,11 +84,17 @@ void compare_right_face(const std::string& lamps) {
         const EncodedRgb8 twin = expected(exhibit, scene, exhibit.objects[0], at, normal),
                           drawn = pixel(image, x, y);
         EXPECT_LE(steps(drawn, twin), 1)
-            << x << ' ' << y << ": drawn " << int(drawn.r) << ' ' << int(drawn.g) << ' ' << int(drawn.b)
-            << ", expected " << int(twin.r) << ' ' << int(twin.g) << ' ' << int(twin.b);
+            << method_name(method) << ' ' << x << ' ' << y << ": drawn " << int(drawn.r) << ' '
+            << int(drawn.g) << ' ' << int(drawn.b) << ", expected " << int(twin.r) << ' ' << int(twin.g)
+            << ' ' << int(twin.b);
         bright += twin.r > 20;
     }
     EXPECT_GE(bright, 3) << "the light reaches the face";
+}
+
+void compare_right_face(const std::string& lamps) {
+    for (const MethodInfo& info : kMethods)
+        compare_right_face(lamps, info.method);
 }
 
 TEST(Shading, ParallelLightIsTheCosine) {
@@ -104,6 +125,17 @@ TEST(Shading, EightLampsDraw) {
     compare_right_face(lamps);
 }
 
+// Patches and ramps: I_shading is 1, whatever the object and the lamp say.
+TEST(Shading, FlatScenesKnowNone) {
+    Exhibit exhibit = exhibit_of("[display]\nwidth = 64\nheight = 64\n[scene]\nkind = patches\nmaterials = "
+                                 "cc-black\n[lamp.1]\nspectrum = D65\n");
+    const Image plain = frame_of(exhibit);
+    exhibit.objects[0].specular = 1;
+    exhibit.lamps[0].direction = {1, 0, -1};
+    exhibit.lamps[0].falloff = {2, 0, 0};
+    EXPECT_EQ(frame_of(exhibit).rgba, plain.rgba);
+}
+
 TEST(Shading, NothingIsLitByNoLight) {
     const Image image =
         frame_of(exhibit_of("[display]\nwidth = 64\nheight = 64\n[scene]\nkind = patches\nmaterials = "
@@ -125,7 +157,7 @@ TEST(Shading, TheBrightestLightIsWhiteNotNothing) {
 // shadow.
 std::string table_under(const std::string& lamp) {
     return "[display]\nwidth = 640\nheight = 360\n[scene]\nkind = still-life\n[lamp.1]\nspectrum = D65\n" +
-           lamp + "[object.table]\nspecular = 0\n";
+           lamp + "[object.table]\nspecular = 0.4\nshininess = 2\n";
 }
 
 EncodedRgb8 at_world(const Exhibit& exhibit, const Image& image, const Vector& world) {
@@ -153,6 +185,15 @@ TEST(Shadow, FallsWhereTheOrangeStandsInParallelLight) {
 
 TEST(Shadow, FallsWhereTheOrangeStandsBeforeAPointLamp) {
     compare_shadow("position = -3.78 3.3 1.05\nstrength = 1\n");
+}
+
+TEST(Shadow, FallsUnderTheOrangeInLightFromAbove) {
+    const std::string above = "direction = 0 -1 0\n";
+    const Exhibit with = exhibit_of(table_under(above + "shadow = yes\n")),
+                  without = exhibit_of(table_under(above));
+    const Vector under(-0.78, 0, 1.27); // 0.22 before the foot, where the eye still sees the table
+    EXPECT_EQ(at_world(with, frame_of(with), under), (EncodedRgb8{0, 0, 0}));
+    EXPECT_GT(at_world(without, frame_of(without), under).r, 40);
 }
 
 TEST(Shadow, NoSurfaceShadowsItself) {

@@ -39,6 +39,8 @@ TEST(Split, MayBeAShareOfTheWidth) {
     Compare compare;
     compare.split = 0.25;
     EXPECT_EQ(split_column(compare, 160), 40);
+    compare.split = 0.33;
+    EXPECT_EQ(split_column(compare, 160), 53) << "52.8, rounded";
     compare.split = 1;
     EXPECT_EQ(split_column(compare, 160), 160);
     compare.split_px = 4000; // a narrower frame than the INI's author had
@@ -79,16 +81,29 @@ TEST(Split, HalvesMayDifferInLampStrengthAndSpace) {
     }
 }
 
+Image supersampled(const std::string& rest) {
+    Exhibit exhibit = exhibit_of(crayons("A2800", rest));
+    exhibit.display.supersample = 2;
+    return frame_of(exhibit);
+}
+
 TEST(Split, ScalesWithSupersampling) {
-    const std::string twice = "supersample = 2\n";
-    std::string ini = crayons("A2800", split_at("37px"));
-    const Image both =
-        frame_of(exhibit_of("[display]\n" + twice + ini.substr(std::string("[display]\n").size())));
-    std::string plain = crayons("A2800", kRight);
-    const Image right =
-        frame_of(exhibit_of("[display]\n" + twice + plain.substr(std::string("[display]\n").size())));
+    const Image both = supersampled(split_at("37px")), left = supersampled(kLeft),
+                right = supersampled(kRight);
+    for (int y = 0; y < 90; ++y) {
+        ASSERT_EQ(pixel(both, 36, y), pixel(left, 36, y)) << y;
+        ASSERT_EQ(pixel(both, 37, y), pixel(right, 37, y)) << y;
+    }
+}
+
+TEST(Split, LineScalesWithSupersampling) {
+    const Image plain = supersampled(split_at("80px")), lined = supersampled(split_at("80px", 2));
     for (int y = 0; y < 90; ++y)
-        ASSERT_EQ(pixel(both, 37, y), pixel(right, 37, y));
+        for (int x = 77; x < 83; ++x)
+            if (x == 79 || x == 80)
+                ASSERT_EQ(pixel(lined, x, y), (EncodedRgb8{140, 140, 140})) << x;
+            else
+                ASSERT_EQ(pixel(lined, x, y), pixel(plain, x, y)) << x;
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "render/variants.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <set>
 
@@ -14,6 +15,23 @@ TEST(Variants, NamesAreTheirOwn) {
     for (const ShaderVariant& variant : shader_variants())
         EXPECT_TRUE(names.insert(variant.name).second) << variant.name;
     EXPECT_EQ(names.size(), all_variants().size() + 1) << "the shadow pass and the table";
+}
+
+TEST(Variants, ReachTheLimitsOfExhibits) {
+    const auto variants = all_variants();
+    const auto has = [&](const Variant& variant) {
+        return std::find(variants.begin(), variants.end(), variant) != variants.end();
+    };
+    for (const MethodInfo& info : kMethods)
+        for (Transfer transfer : {Transfer::srgb, Transfer::none}) {
+            EXPECT_TRUE(has({info.method, kMostLamps, true, kMostShadows, Surface::maps, transfer}));
+            EXPECT_TRUE(has({info.method, 1, true, 1, Surface::plain, transfer}));
+            EXPECT_TRUE(has({info.method, kMostLamps, false, 0, Surface::ramp, transfer}));
+        }
+    EXPECT_TRUE(has({Method::rgb, 1, false, 0, Surface::ramp_codes, Transfer::srgb}));
+    EXPECT_FALSE(has({Method::spectral, 1, false, 0, Surface::ramp_codes, Transfer::srgb}));
+    EXPECT_FALSE(has({Method::spectral, 1, true, 2, Surface::plain, Transfer::srgb}))
+        << "more shadows than lamps";
 }
 
 TEST(Variants, LiteralsAreFloats) {

@@ -25,9 +25,13 @@ TEST(Light, FollowsTheCosine) {
 TEST(Light, BelowTheSurfaceThereIsNone) {
     SurfacePoint<double> mirror = kFloor;
     mirror.specular = 1;
-    const Light<double> light = arriving_light(lamp_at(0, -2, 0), mirror);
-    EXPECT_EQ(light.diffuse, 0);
-    EXPECT_EQ(light.mirrored, 0);
+    mirror.shininess = 2;
+    for (const auto& lamp :
+         {lamp_at(0, -2, 0), lamp_at(5, -0.1, 0)}) { // the latter still faces the eye's half
+        const Light<double> light = arriving_light(lamp, mirror);
+        EXPECT_EQ(light.diffuse, 0);
+        EXPECT_EQ(light.mirrored, 0);
+    }
 }
 
 TEST(Light, FallsOffWithDistance) {
@@ -38,6 +42,20 @@ TEST(Light, FallsOffWithDistance) {
     const double near = arriving_light(lamp, kFloor).diffuse;
     lamp.at = {0, 4, 0};
     EXPECT_NEAR(near / arriving_light(lamp, kFloor).diffuse, 4, 1e-12);
+}
+
+TEST(Light, FromAfarDoesNotFallOff) {
+    const LampPlace<double> sun{.at = {0, 1, 0}, .directional = true, .falloff = {2, 0.5, 3}};
+    EXPECT_NEAR(arriving_light(sun, kFloor).diffuse, 1 / 2.0, 1e-12) << "only the constant counts";
+}
+
+TEST(Light, MirroredLightFallsOffToo) {
+    SurfacePoint<double> mirror = kFloor;
+    mirror.specular = 0.4;
+    LampPlace<double> lamp = lamp_at(0, 2, 0);
+    lamp.falloff = {0, 0, 1};
+    EXPECT_NEAR(arriving_light(lamp, mirror).mirrored, 0.4 / 4, 1e-12);
+    EXPECT_NEAR(arriving_light(lamp, mirror, 0.25).mirrored, 0.1 / 4, 1e-12) << "in half-shadow";
 }
 
 TEST(Light, AtTheLampItselfStaysFinite) {

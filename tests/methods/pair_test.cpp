@@ -6,6 +6,7 @@
 #include <string>
 
 #include "atlas/atlas.h"
+#include "color/adaptation.h"
 #include "color/colorimetry.h"
 #include "color/difference.h"
 #include "color/resample.h"
@@ -116,6 +117,29 @@ TEST(Pair, ThreeNumbersAreFurtherOff) {
 
 TEST(Pair, RgbIsExactUnderTheWorkingSpacesOwnWhite) {
     EXPECT_LT(error_of(Method::rgb, "D65", "cc-orange"), 0.4);
+}
+
+// Before a lamp that the eye has adapted to, its three numbers are those of white.
+TEST(Pair, RgbKnowsTheLampAsTheAdaptedEyeSeesIt) {
+    const Rows rows = rows_of("A2800", "cc-orange");
+    OutputSpace adapted = srgb_output();
+    adapted.adaptation = bradford(lamp_xyz(rows.lamp, rows.seen_by), xyz_of(working_spaces()[0].white));
+    for (double number : lamp_numbers(Method::rgb, rows.lamp, rows.seen_by, adapted))
+        EXPECT_NEAR(number, 1, 1e-6);
+    EXPECT_GT(lamp_numbers(Method::rgb, rows.lamp, rows.seen_by, srgb_output())[0], 1.5);
+}
+
+TEST(Pair, XyzIsThatBeforeAdaptation) {
+    const Rows rows = rows_of("A2800", "cc-orange");
+    OutputSpace adapted = srgb_output();
+    adapted.adaptation = bradford(lamp_xyz(rows.lamp, rows.seen_by), xyz_of(working_spaces()[0].white));
+    for (const MethodInfo& info : kMethods) {
+        const Xyz a = pair_xyz(info.method, rows.lamp, rows.material, rows.seen_by, adapted);
+        const Xyz b = pair_xyz(info.method, rows.lamp, rows.material, rows.seen_by, srgb_output());
+        EXPECT_NEAR(a.x, b.x, 1e-12) << info.name;
+        EXPECT_NEAR(a.y, b.y, 1e-12) << info.name;
+        EXPECT_NEAR(a.z, b.z, 1e-12) << info.name;
+    }
 }
 
 TEST(Pair, StrengthScalesLight) {
