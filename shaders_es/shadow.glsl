@@ -4,7 +4,7 @@
 varying vec4 v_shadow[SHADOWS];
 
 uniform sampler2D u_shadow_map;
-uniform vec3 u_shadow_tile[SHADOWS]; // corner s, t; bias of the depth
+uniform vec2 u_shadow_tile[SHADOWS]; // corner s, t
 
 float depth_at(vec2 st) {
     vec2 packed_depth = texture2D(u_shadow_map, st).rg;
@@ -12,14 +12,14 @@ float depth_at(vec2 st) {
 }
 
 // Percentage-closer filtering over four texels, weighted bilinearly (Reeves, Salesin, Cook 1987).
-float visible_share(vec4 shadow, vec3 tile) {
-    vec3 p = shadow.xyz / shadow.w * 0.5 + 0.5;
+float visible_share(vec4 shadow, vec2 tile) {
+    vec3 p = vec3(shadow.xy / shadow.w * 0.5 + 0.5, shadow.z);
     vec2 inside = clamp(p.xy, 2.0 / SHADOW_TILE_PX, 1.0 - 2.0 / SHADOW_TILE_PX) * SHADOW_TILE_PX - 0.5;
     vec2 corner = floor(inside);
     vec2 t = inside - corner;
-    vec2 st = tile.xy + (corner + 0.5) * (0.5 / SHADOW_TILE_PX);
+    vec2 st = tile + (corner + 0.5) * (0.5 / SHADOW_TILE_PX);
     float step_st = 0.5 / SHADOW_TILE_PX;
-    float depth = p.z - tile.z;
+    float depth = p.z - SHADOW_BIAS;
     vec4 lit = step(vec4(depth), vec4(depth_at(st), depth_at(st + vec2(step_st, 0.0)), depth_at(st + vec2(0.0, step_st)),
                                       depth_at(st + vec2(step_st, step_st))));
     float visible = mix(mix(lit.x, lit.y, t.x), mix(lit.z, lit.w, t.x), t.y);

@@ -15,7 +15,8 @@ varying vec3 v_tangent;
 #endif
 #if SHADOWS > 0
 uniform mat4 u_shadow_from_world[SHADOWS];
-varying vec4 v_shadow[SHADOWS];
+uniform vec4 u_depth_from_world[SHADOWS];
+varying vec4 v_shadow[SHADOWS]; // clip x, y; linear depth; clip w
 #endif
 #endif
 
@@ -29,8 +30,12 @@ void main() {
     v_tangent = a_tangent;
 #endif
 #if SHADOWS > 0
-    for (int l = 0; l < SHADOWS; l++)
-        v_shadow[l] = u_shadow_from_world[l] * vec4(a_position, 1.0);
+    // Off the surface by some texels of the map: where light grazes, a surface must not shadow itself.
+    vec4 lifted = vec4(a_position + SHADOW_LIFT * a_normal, 1.0);
+    for (int l = 0; l < SHADOWS; l++) {
+        v_shadow[l] = u_shadow_from_world[l] * lifted;
+        v_shadow[l].z = dot(u_depth_from_world[l], lifted);
+    }
 #endif
 #endif
 }

@@ -112,6 +112,9 @@ int add_lamp(Atlas& atlas, const Lamp& lamp) {
                             to_text(kThesisGrid.last_nm()) + " nm");
     const AtlasLamp entry{lamp.name, lamp.source, sampled.peak};
     const Row values = quantized(sampled.emission.value);
+    if (!has_luminance(atlas, values))
+        throw bad_input("add", place_of("lamp", lamp.name),
+                        "all of its light lies where the atlas's 8-bit observer has y = 0, so that k' = 0");
     const int key = row_for(atlas, atlas.lamps, AtlasChannel::lamp, "lamp", entry, values);
     AtlasLamp& taken = atlas.lamps[static_cast<std::size_t>(key)];
     if (taken.name.empty()) {

@@ -25,6 +25,13 @@ std::uint8_t greatest(const Atlas& atlas, int row, AtlasChannel channel) {
     return most;
 }
 
+std::array<std::uint8_t, kIntervals> row_of(const Atlas& atlas, int row, AtlasChannel channel) {
+    std::array<std::uint8_t, kIntervals> values;
+    for (std::size_t i = 0; i < kIntervals; ++i)
+        values[i] = atlas.rgba[atlas_byte(row, i, channel)];
+    return values;
+}
+
 Flaw flaw_of_observer(const Atlas& atlas) {
     static const Atlas standard = empty_atlas();
     const auto end_of_row_0 = static_cast<std::ptrdiff_t>(atlas_byte(1, 0, AtlasChannel::lamp));
@@ -45,6 +52,8 @@ Flaw flaw_of_lamp(const Atlas& atlas, int row) {
     if (most != 255)
         return row_text(row) + "the greatest value of lamp \"" + lamp.name + "\" is " + std::to_string(most) +
                ", not 255";
+    if (!has_luminance(atlas, row_of(atlas, row, AtlasChannel::lamp)))
+        return row_text(row) + "lamp \"" + lamp.name + "\" has light only where the observer's y is 0";
     return {};
 }
 
@@ -79,6 +88,13 @@ Flaw flaw_of_names(const std::array<Entry, kAtlasSize>& entries, const std::stri
 }
 
 } // namespace
+
+bool has_luminance(const Atlas& atlas, const std::array<std::uint8_t, kIntervals>& lamp) {
+    for (std::size_t i = 0; i < kIntervals; ++i)
+        if (lamp[i] != 0 && atlas.rgba[atlas_byte(0, i, AtlasChannel::material)] != 0) // green: y
+            return true;
+    return false;
+}
 
 std::optional<std::string> flaw_of_name(const std::string& name, const std::string& source) {
     if (name.empty())

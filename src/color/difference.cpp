@@ -74,7 +74,9 @@ double delta_e_2000(const Lab& p, const Lab& q) {
     const double rt = -2 * pow7_share(c) * std::sin(2 * turn_deg * kDegree);
 
     const double x = dl / sl, y = dc / sc, z = dh / sh;
-    return std::sqrt(std::max(0.0, x * x + y * y + z * z + rt * y * z));
+    // Rounding may leave the sum of equal colors just below 0; NaN stays NaN.
+    const double square = x * x + y * y + z * z + rt * y * z;
+    return square < 0 ? 0 : std::sqrt(square);
 }
 
 double delta_e_2000(const Xyz& a, const Xyz& b) {

@@ -44,9 +44,9 @@ std::string check_spectra(const std::string& path, std::vector<std::string>& war
         read_spectra(path, SpectrumKind::reflectance);
     } catch (const Error& error) {
         use = "for lamps only: " + error.cause();
-        for (const std::string& name : table.names)
-            find_lamp(path + "#" + name, ".", &warnings);
     }
+    for (const std::string& name : table.names)
+        find_lamp(path + "#" + name, ".", &warnings);
     return "spectra, " + counted(table.names.size(), "column") + ", " + use;
 }
 

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "color/difference.h"
 #include "methods/pair.h"
+#include "render/frame.h"
 #include "render/half_view.h"
 #include "spectra/library.h"
 
@@ -13,14 +14,13 @@ namespace metamer {
 
 namespace {
 
-// The color that the display gives to one half's code values, before clamping.
+// The color that the display gives to one half's code values, clamped as it clamps them.
 Xyz shown(const Exhibit& exhibit, const HalfView& view, const ObjectSetting& object) {
-    const Method method = method_of(exhibit, view.half, object);
-    const Xyz pair =
-        pair_xyz(method, view.lamps.front().emission, reflectance(exhibit.atlas, object.material.key),
-                 observer(exhibit.atlas), view.output);
-    const LinearRgb rgb = to_linear_rgb(view.output.adapted_rgb_from_xyz(), pair);
-    return to_xyz(xyz_from_rgb(*exhibit.display.working_space).value(), rgb);
+    const auto rgb = pair_linear<double>(method_of(exhibit, view.half, object), view.lamps.front().emission,
+                                         1, reflectance(exhibit.atlas, object.material.key),
+                                         observer(exhibit.atlas), view.output);
+    const auto clamped = [](double v) { return std::clamp(v, 0.0, 1.0); };
+    return to_xyz(xyz_from_display_rgb(exhibit.display), {clamped(rgb.r), clamped(rgb.g), clamped(rgb.b)});
 }
 
 Exhibit under_lamp(Exhibit exhibit, const std::string& name) {
@@ -60,8 +60,8 @@ std::vector<HalfDifference> half_differences(const Exhibit& exhibit) {
 }
 
 std::string half_table(const Exhibit& exhibit) {
-    std::string out = "CIEDE2000 between the two halves, all materials of " + exhibit.place + "\n" +
-                      "lamp          mean   greatest  material\n";
+    std::string out = "CIEDE2000 between the two halves as shown, all materials of " + exhibit.place +
+                      ", strength 1\n" + "lamp          mean   greatest  material\n";
     for (const HalfDifference& row : half_differences(exhibit)) {
         char line[160];
         std::snprintf(line, sizeof line, "%-12s %5.2f   %8.2f  %s\n", row.lamp.c_str(), row.mean,

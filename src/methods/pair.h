@@ -50,15 +50,15 @@ BasicLinearRgb<T> to_output(const Matrix3& rgb_from_xyz, BasicXyz<T> xyz) {
     return to_linear_rgb(rgb_from_xyz, xyz);
 }
 
-/// The pixel of a lamp of this strength on a material, in the scalar T: what the GPU's framebuffer should
-/// hold.
+/// The light of a lamp of this strength on a material, linear, before clamping, in the scalar T.
 template <Scalar T>
-EncodedRgb8 pair_rgb8(Method method, const Emission& lamp, double strength, const Reflectance& material,
-                      const GridObserver& observer, const OutputSpace& output) {
+BasicLinearRgb<T> pair_linear(Method method, const Emission& lamp, double strength,
+                              const Reflectance& material, const GridObserver& observer,
+                              const OutputSpace& output) {
     const Matrix3 matrix = output.adapted_rgb_from_xyz();
     if (method == Method::spectral) {
         const LitEmission<T> lit[]{{&lamp, static_cast<T>(strength), {}}};
-        return encode_rgb8(output.transfer, to_output(matrix, spectral<T>(lit, material, observer)));
+        return to_output(matrix, spectral<T>(lit, material, observer));
     }
     const auto of_lamp = lamp_numbers(method, lamp, observer, output);
     const auto of_material = material_numbers(method, material, observer, output);
@@ -70,8 +70,15 @@ EncodedRgb8 pair_rgb8(Method method, const Emission& lamp, double strength, cons
     }
     const auto [a, b, c] = product<T>(lit, color);
     if (method == Method::rgb)
-        return encode_rgb8(output.transfer, BasicLinearRgb<T>{a, b, c});
-    return encode_rgb8(output.transfer, to_output(matrix, BasicXyz<T>{a, b, c}));
+        return {a, b, c};
+    return to_output(matrix, BasicXyz<T>{a, b, c});
+}
+
+/// Its pixel: what the GPU's framebuffer should hold.
+template <Scalar T>
+EncodedRgb8 pair_rgb8(Method method, const Emission& lamp, double strength, const Reflectance& material,
+                      const GridObserver& observer, const OutputSpace& output) {
+    return encode_rgb8(output.transfer, pair_linear<T>(method, lamp, strength, material, observer, output));
 }
 
 } // namespace metamer

@@ -20,7 +20,7 @@ struct LitEmission {
 };
 
 /// XYZ at a pixel, summed over the lamps: equations 7.1 and 7.6-7.10, phi_i = (R_i diffuse + mirrored) S_i. A
-/// lamp with k' = 0 must not come here (such rows are refused when the atlas is built).
+/// lamp with k' = 0 must not come here: atlas/atlas_check.h refuses such rows.
 template <Scalar T>
 BasicXyz<T> spectral(std::span<const LitEmission<T>> lamps, const Reflectance& reflectance,
                      const GridObserver& observer) {

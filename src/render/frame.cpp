@@ -19,6 +19,11 @@ Image render_frame(const Exhibit& exhibit) {
     return averaged({width, height, target.read_rgba()}, scale, exhibit.display.transfer);
 }
 
+// Exhibits hold no singular matrix: the loader refuses it.
+Matrix3 xyz_from_display_rgb(const Display& display) {
+    return inverse(display.matrix ? *display.matrix : rgb_from_xyz(*display.working_space)).value();
+}
+
 ColorChunks color_chunks(const Display& display) {
     ColorChunks chunks;
     const WorkingSpace& space = *display.working_space;
@@ -27,13 +32,11 @@ ColorChunks color_chunks(const Display& display) {
         return chunks;
     }
     chunks.gamma = display.transfer == Transfer::srgb ? 1 / 2.2 : 1.0;
-    const auto xyz_from = display.matrix ? inverse(*display.matrix) : xyz_from_rgb(space);
-    if (!xyz_from)
-        return chunks;
+    const Matrix3 xyz_from = xyz_from_display_rgb(display);
     std::array<double, 8> xy{};
     const LinearRgb corners[]{{1, 1, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     for (std::size_t i = 0; i < 4; ++i) {
-        const Chromaticity c = chromaticity(to_xyz(*xyz_from, corners[i]));
+        const Chromaticity c = chromaticity(to_xyz(xyz_from, corners[i]));
         xy[2 * i] = c.x;
         xy[2 * i + 1] = c.y;
     }

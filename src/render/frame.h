@@ -13,6 +13,9 @@ namespace metamer {
 /// (adaptation).
 Image render_frame(const Exhibit& exhibit);
 
+/// XYZ of the linear RGB that a display of this working space or own matrix shows.
+Matrix3 xyz_from_display_rgb(const Display& display);
+
 /// What a PNG of this exhibit says of its colors: the sRGB chunk for sRGB-D65 with the sRGB curve, else gAMA
 /// and the primaries and white of its space or own matrix (no cHRM where those are no chromaticities).
 ColorChunks color_chunks(const Display& display);

@@ -64,20 +64,26 @@ FrameRenderer::FrameRenderer(const Exhibit& exhibit)
     : exhibit_(exhibit),
       scene_(build_scene(exhibit)),
       meshes_(upload_meshes(scene_)),
-      atlas_(kAtlasSize, kAtlasSize, exhibit.atlas.rgba, {Filter::nearest, Wrap::clamp, false}) {
+      atlas_(kAtlasSize, kAtlasSize, exhibit.atlas.rgba, {Filter::nearest, Wrap::clamp, false}),
+      maps_(upload_maps()),
+      halves_(load_halves()),
+      shadows_(halves_.front().view.lamps, scene_, meshes_) {}
+
+std::vector<std::optional<SurfaceMaps>> FrameRenderer::upload_maps() const {
+    std::vector<std::optional<SurfaceMaps>> maps;
     for (const SceneObject& object : scene_.objects) {
-        maps_.emplace_back();
+        maps.emplace_back();
         if (has_maps(*object.setting))
-            maps_.back().emplace(*object.setting);
+            maps.back().emplace(*object.setting);
     }
-    upload_halves();
+    return maps;
 }
 
-void FrameRenderer::upload_halves() {
+std::vector<FrameRenderer::Half> FrameRenderer::load_halves() const {
+    std::vector<Half> halves;
     for (HalfView& view : half_views(exhibit_, scene_)) {
-        ShadowMaps shadows(view.lamps, scene_, meshes_);
-        halves_.push_back({std::move(view), std::move(shadows), {}});
-        Half& half = halves_.back();
+        halves.push_back({std::move(view), {}});
+        Half& half = halves.back();
         for (const SceneObject& object : scene_.objects) {
             const Method method = method_of(exhibit_, half.view.half, *object.setting);
             if (method == Method::spectral || surface_of(*object.setting, method) != Surface::maps ||
@@ -88,6 +94,7 @@ void FrameRenderer::upload_halves() {
                 method, Texture(map.width, map.height, map.rgba, {Filter::nearest, Wrap::clamp, false}));
         }
     }
+    return halves;
 }
 
 void FrameRenderer::draw(int width_px, int height_px, int scale) {
@@ -112,7 +119,7 @@ void FrameRenderer::draw(int width_px, int height_px, int scale) {
 
 void FrameRenderer::draw_half(const Half& half, const View& view) {
     atlas_.bind(kAtlasUnit);
-    half.shadows.bind(kShadowUnit);
+    shadows_.bind(kShadowUnit);
     for (std::size_t i = 0; i < meshes_.size(); ++i)
         draw_object(half, view, i);
 }
@@ -160,16 +167,17 @@ void FrameRenderer::set_lamps(const Program& program, const Half& half, Method m
     program.set("u_lamp_row", rows);
     program.set("u_lamp_color", colors);
     std::vector<glm::mat4> views;
-    std::vector<glm::vec3> tiles;
-    for (const ShadowTile& tile : half.shadows.tiles()) {
+    std::vector<glm::vec4> depths;
+    std::vector<glm::vec2> corners;
+    for (const ShadowTile& tile : shadows_.tiles()) {
         views.push_back(tile.shadow_from_world);
-        tiles.push_back(tile.tile);
+        depths.push_back(tile.depth_from_world);
+        corners.push_back(tile.corner);
     }
-    if (!tiles.empty()) {
-        program.set("u_shadow_from_world", views);
-        program.set("u_shadow_tile", tiles);
-        program.set("u_shadow_map", kShadowUnit);
-    }
+    program.set("u_shadow_from_world", views);
+    program.set("u_depth_from_world", depths);
+    program.set("u_shadow_tile", corners);
+    program.set("u_shadow_map", kShadowUnit);
 }
 
 void FrameRenderer::set_material(const Program& program, const Half& half, Method method,

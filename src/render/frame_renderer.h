@@ -30,7 +30,6 @@ private:
     /// One half with the textures that are its own.
     struct Half {
         HalfView view;
-        ShadowMaps shadows;
         std::map<Method, Texture> material_maps; ///< for product methods on objects with maps
     };
 
@@ -40,7 +39,8 @@ private:
     void set_material(const Program& program, const Half& half, Method method,
                       const ObjectSetting& object) const;
     void draw_split_line(int split_px, int height_px, int scale) const;
-    void upload_halves();
+    std::vector<Half> load_halves() const;
+    std::vector<std::optional<SurfaceMaps>> upload_maps() const;
 
     const Exhibit& exhibit_;
     Scene scene_;
@@ -48,6 +48,7 @@ private:
     Texture atlas_;
     std::vector<std::optional<SurfaceMaps>> maps_;
     std::vector<Half> halves_;
+    ShadowMaps shadows_; ///< of both halves: they differ in light, not in lamps' places
     Programs programs_;
 };
 

@@ -1,5 +1,6 @@
 // Scenes that show a list of materials one beside the other, each of them across the whole split: the loaf's
 // slices lie on each other, the crayons lie side by side.
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -43,7 +44,9 @@ Scene build_loaf(const Exhibit& exhibit) {
 Scene build_crayons(const Exhibit& exhibit) {
     Scene scene;
     const auto n = static_cast<float>(exhibit.objects.size());
-    const float pitch = 2 / n, r = 0.47f * pitch;
+    const float pitch = 2 / n,
+                r = std::min(0.47f * pitch,
+                             0.14f); // few crayons are no thicker, or their tips leave the frame
     // Wrapper, wax, tip; lying along x the bottom is at the left.
     const float shoulder = 1.45f, tip = shoulder + 2.6f * r;
     const std::vector<glm::vec2> profile{{0, -1.7f},

@@ -19,7 +19,7 @@ struct SceneObject {
 /// The eye. `target` stays in the middle; the box `half_size` about it stays in view at any aspect.
 struct Camera {
     glm::vec3 eye{0, 0, 1}, target{0};
-    double field_of_view_deg = 30; ///< vertical, or horizontal in portrait frames where that is the narrower
+    double field_of_view_deg = 30; ///< vertical; narrow frames are seen from further back
     glm::vec2 half_size{1};
     bool flat = false; ///< vertices are in clip space already: ramps and patches fill the frame
 };

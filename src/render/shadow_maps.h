@@ -16,14 +16,15 @@ namespace metamer {
 /// Where a lamp's tile lies and how it looks at the scene.
 struct ShadowTile {
     glm::mat4 shadow_from_world; ///< world to the lamp's clip space
-    glm::vec3 tile;              ///< corner s, t; bias of the depth
+    glm::vec4 depth_from_world;  ///< . (x, y, z, 1) is the depth along the lamp's axis: 0 near, 1 far, linear
+    glm::vec2 corner;            ///< of the tile, s and t
 };
 
 /// The lamp's view of the sphere around the scene: parallel for directions, a cone for positions (at most 120
-/// degrees).
-glm::mat4 shadow_view(const glm::vec4& place, const glm::vec3& center, float radius);
+/// degrees), which looks down where the lamp stands in the very middle. `corner` stays (0, 0).
+ShadowTile shadow_view(const glm::vec4& place, const glm::vec3& center, float radius);
 
-/// The texture and its tiles. Move-only, needs a context.
+/// The texture and its tiles. Move-only, needs a context; leaves the GL state of saved_state.h as it was.
 class ShadowMaps {
 public:
     /// Draws `meshes` for the first lamps, those with shadow = true; none makes an empty object that binds

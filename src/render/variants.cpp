@@ -39,6 +39,8 @@ Defines constants() {
         {"MATERIAL_MAP_LEAST", literal(kMaterialMapLeast)},
         {"MATERIAL_MAP_SPAN", literal(kMaterialMapSpan)},
         {"SHADOW_TILE_PX", literal(kShadowTilePx)},
+        {"SHADOW_LIFT", literal(kShadowLift)},
+        {"SHADOW_BIAS", literal(kShadowBias)},
         {"SURFACE_PLAIN", "0"},
         {"SURFACE_MAPS", "1"},
         {"SURFACE_RAMP", "2"},

@@ -29,6 +29,10 @@ struct Variant {
 /// Side of one lamp's tile in the shadow map, which holds 2 x 2 of them.
 inline constexpr int kShadowTilePx = 1024;
 
+/// A point is tested for shadow this far off its surface, in scene units: some texels of a tile over a scene
+/// of radius 2.4; two depths closer than the bias, a share of the lamp's range, are one.
+inline constexpr double kShadowLift = 0.012, kShadowBias = 0.0015;
+
 /// The texture of materials that product methods read by key: code 0 .. 65535 is kMaterialMapLeast .. + Span.
 inline constexpr double kMaterialMapLeast = -0.5, kMaterialMapSpan = 2.0;
 

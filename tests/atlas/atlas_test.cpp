@@ -131,7 +131,7 @@ TEST(Atlas, RefusesTwoSpectraOfOneName) {
 TEST(Atlas, RefusesThe64thRow) {
     Atlas atlas = empty_atlas();
     for (int n = 1; n <= 63; ++n) {
-        EXPECT_EQ(add_lamp(atlas, line_lamp("lamp " + std::to_string(n), 385 + 5 * n)), n);
+        EXPECT_EQ(add_lamp(atlas, line_lamp("lamp " + std::to_string(n), 420 + 4 * n)), n);
         EXPECT_EQ(add_material(atlas, flat_material("material " + std::to_string(n), n / 63.0)), n);
     }
     EXPECT_EQ(flaw_of(atlas), std::nullopt);
@@ -139,7 +139,7 @@ TEST(Atlas, RefusesThe64thRow) {
               "2: cannot add lamp \"lamp 64\": all 63 lamp rows of the atlas are taken");
     EXPECT_EQ(error_of([&] { add_material(atlas, flat_material("material 64", 1)); }),
               "2: cannot add material \"material 64\": all 63 material rows of the atlas are taken");
-    EXPECT_EQ(add_lamp(atlas, line_lamp("LAMP 63", 700)), 63);
+    EXPECT_EQ(add_lamp(atlas, line_lamp("LAMP 63", 672)), 63);
 }
 
 TEST(Atlas, RefusesALampWithoutLightOnTheGrid) {
@@ -147,6 +147,20 @@ TEST(Atlas, RefusesALampWithoutLightOnTheGrid) {
     EXPECT_EQ(error_of([&] { add_lamp(atlas, line_lamp("infrared", 1000)); }),
               "2: cannot add lamp \"infrared\": it has no light on the atlas's grid, 385 .. 700 nm");
     EXPECT_EQ(atlas.rgba, empty_atlas().rgba);
+}
+
+// Mercury's violet line: 8 bits round the observer's y to 0 there, and nothing can be divided by k' = 0.
+TEST(Atlas, RefusesALampThatItsObserverDoesNotSee) {
+    Atlas atlas = empty_atlas();
+    for (double violet_nm : {385.0, 404.7, 415.0})
+        EXPECT_EQ(error_of([&] { add_lamp(atlas, line_lamp("violet", violet_nm)); }),
+                  "2: cannot add lamp \"violet\": all of its light lies where the atlas's 8-bit observer has "
+                  "y = 0, so "
+                  "that k' = 0");
+    EXPECT_EQ(add_lamp(atlas, line_lamp("blue", 420)), 1);
+    atlas.rgba[atlas_byte(1, 7, AtlasChannel::lamp)] = 0; // 420 nm
+    atlas.rgba[atlas_byte(1, 3, AtlasChannel::lamp)] = 255;
+    EXPECT_EQ(flaw_of(atlas), "row 1: lamp \"blue\" has light only where the observer's y is 0");
 }
 
 TEST(Atlas, RefusesNamesThatCannotBeWritten) {

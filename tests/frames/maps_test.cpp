@@ -141,8 +141,8 @@ TEST(Bump, ASlopeTiltsTheNormal) {
 
 TEST(Bump, UphillLooksDown) {
     Image heights{1, 4, {}};
-    for (std::uint8_t height : {255, 170, 85, 0})
-        heights.rgba.insert(heights.rgba.end(), {height, 0, 0, 255});
+    for (const int height : {255, 170, 85, 0})
+        heights.rgba.insert(heights.rgba.end(), {static_cast<std::uint8_t>(height), 0, 0, 255});
     const Image normals = normal_map(heights, 3);
     // A third up over one texel, which is as wide as the map: 45 degrees at a height of 3.
     EXPECT_EQ(normals.rgba[4], 128);

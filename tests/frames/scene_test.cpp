@@ -122,7 +122,10 @@ TEST(View, KeepsTheBoxInViewAtAnyAspect) {
         EXPECT_NEAR(middle.y, 0, 1e-6);
         EXPECT_NEAR(std::max(corner.x, corner.y), 1, 1e-5) << aspect;
         EXPECT_GT(std::min(corner.x, corner.y), 0);
-        EXPECT_NEAR(corner.x * aspect / corner.y, 2 / 1.5, 1e-5) << "no distortion";
+        EXPECT_NEAR(static_cast<double>(corner.x) * static_cast<double>(aspect) /
+                        static_cast<double>(corner.y),
+                    2 / 1.5, 1e-5)
+            << "no distortion";
         EXPECT_LT(std::abs(middle.z), 1) << "between the near and the far plane";
     }
 }
