@@ -18,13 +18,14 @@ protected:
 };
 
 TEST_F(Check, SaysWhatValidFilesHold) {
+    write("grays.csv", "wavelength_nm,light,dark\n400,0.5,0.1\n700,0.5,0.1\n");
     write("power.csv", "wavelength_nm,tube\n400,30\n700,50\n");
     output_of({"atlas", "build", "--lamps", "F11", "--materials", "crayons", "-o", "a.png"});
     EXPECT_EQ(
-        output_of({"check", "one.ini", "a.png", "two.csv", "power.csv"}),
+        output_of({"check", "one.ini", "a.png", "grays.csv", "power.csv"}),
         "one.ini: valid exhibit, 1 object, 1 lamp\n"
         "a.png: valid atlas, 1 lamp, 15 materials\n"
-        "two.csv: valid spectra, 2 columns, for lamps and materials\n"
+        "grays.csv: valid spectra, 2 columns, for lamps and materials\n"
         "power.csv: valid spectra, 1 column, for lamps only: reflectance 30 is above 1: fluorescence is not "
         "taken, percent must be named (`# unit: percent`)\n");
 }
