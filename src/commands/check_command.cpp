@@ -45,8 +45,11 @@ std::string check_spectra(const std::string& path, std::vector<std::string>& war
     } catch (const Error& error) {
         use = "for lamps only: " + error.cause();
     }
+    std::vector<std::string> doubts;
     for (const std::string& name : table.names)
-        find_lamp(path + "#" + name, ".", &warnings);
+        find_lamp(path + "#" + name, ".", &doubts);
+    for (const std::string& doubt : doubts)
+        warnings.push_back(doubt + " (if it is a lamp)");
     return "spectra, " + counted(table.names.size(), "column") + ", " + use;
 }
 
