@@ -103,26 +103,6 @@ int pixels_apart(const Image& a, const Image& b) {
 
 const std::string kStillLife = "[display]\nwidth = 160\nheight = 90\n[scene]\nkind = still-life\n";
 
-// Of four lamps that cast shadows one shines: the frame is that of this lamp alone.
-TEST(Shadows, EveryLampCastsItsOwn) {
-    const Exhibit all =
-        exhibit_of(kStillLife + "[lamp.1]\nspectrum = D65\ndirection = 1 -1 0\nshadow = yes\n"
-                                "[lamp.2]\nspectrum = D65\ndirection = -1 -1 -0.3\nshadow = yes\n"
-                                "[lamp.3]\nspectrum = D65\nposition = -3 3 2\nshadow = yes\n"
-                                "[lamp.4]\nspectrum = D65\ndirection = 0.2 -1 -1\nshadow = yes\n");
-    for (std::size_t i = 0; i < 4; ++i) {
-        Exhibit alone = all, dark_others = all;
-        alone.lamps = {all.lamps[i]};
-        for (std::size_t other = 0; other < 4; ++other)
-            if (other != i)
-                dark_others.lamps[other].strength = 0;
-        const Image expected = frame_of(alone);
-        EXPECT_EQ(pixels_apart(frame_of(dark_others), expected), 0) << "lamp " << i + 1;
-        alone.lamps[0].shadow = false;
-        EXPECT_GT(pixels_apart(frame_of(alone), expected), 150) << "lamp " << i + 1 << " casts a shadow";
-    }
-}
-
 // Nothing stands between a convex body's lit faces and the lamp, up to its very edges.
 TEST(Shadows, AConvexBodyHasNone) {
     for (const char* lamp : {"direction = 0 -0.5 -1\n", "direction = 0.3 -1 -1\n", "position = 0.5 2 4\n"}) {
