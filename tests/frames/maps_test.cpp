@@ -96,6 +96,23 @@ TEST_P(MapsBy, ASlopeIsLitAsItIsTilted) {
     }
 }
 
+// Between a level texel and a steep one the normal passes the lamp's direction, at its full length.
+TEST_P(MapsBy, NormalsBetweenTexelsAreOfUnitLength) {
+    Exhibit exhibit = wall_by(GetParam());
+    Image& heights = wall(exhibit).bump_map.emplace(Image{4, 1, {}});
+    for (const int height : {0, 128, 255, 128})
+        heights.rgba.insert(heights.rgba.end(), {static_cast<std::uint8_t>(height), 0, 0, 255});
+    wall(exhibit).bump = 1; // slopes of 0, 2, 0, -2
+    const double half_way = std::atan(2.0) / 2;
+    exhibit.lamps[0].direction = {static_cast<float>(std::sin(half_way)), 0,
+                                  -static_cast<float>(std::cos(half_way))};
+    const Image image = frame_of(exhibit);
+    int brightest = 0;
+    for (int x = 0; x < 160; ++x)
+        brightest = std::max<int>(brightest, pixel(image, x, kTopY).r);
+    EXPECT_NEAR(brightest, twin(exhibit, wall(exhibit).material.key).r, 2);
+}
+
 // A key is a name: between 1 and 3 lies no 2.
 TEST_P(MapsBy, KeysAreNotMixed) {
     Exhibit exhibit = wall_by(GetParam());
@@ -115,7 +132,10 @@ TEST_P(MapsBy, LuminanceScalesReflectance) {
 
 TEST_P(MapsBy, AFlatBumpMapChangesNothing) {
     Exhibit exhibit = wall_by(GetParam());
+    exhibit.lamps[0].direction = {-1, 0, -0.02}; // so low that a hundredth of tilt would show
+    exhibit.lamps[0].strength = 20;
     const Image plain = frame_of(exhibit);
+    EXPECT_GT(pixel(plain, kLeftX, kTopY).r, 40);
     wall(exhibit).bump_map = two_texels(77, 77);
     wall(exhibit).bump = 0.5;
     const Image bumped = frame_of(exhibit);

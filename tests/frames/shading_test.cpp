@@ -1,6 +1,8 @@
 // Frames against closed forms: a pixel's place in the world, the light that reaches it, and its color, all by
 // hand.
+#include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 #include <gtest/gtest.h>
@@ -117,12 +119,57 @@ TEST(Shading, HighlightsAreTheLampsOwnColor) {
     compare_right_face("[lamp.1]\nspectrum = D65\nposition = 8 1.6 0\n");
 }
 
+// The lamp stands behind the face's plane; a mirror as dull as this would show it otherwise.
+TEST(Shading, HighlightsEndWhereTheLightDoes) {
+    Exhibit exhibit =
+        exhibit_of("[display]\nwidth = 200\nheight = 160\n[scene]\nkind = loaf\nmaterials = cc-orange\n"
+                   "[lamp.1]\nspectrum = D65\ndirection = 1 -0.2 -0.8\n[object.slice-1]\nspecular = "
+                   "1\nshininess = 1\n");
+    for (const MethodInfo& info : kMethods) {
+        exhibit.method = info.method;
+        const Image image = frame_of(exhibit);
+        EXPECT_EQ(pixel(image, 150, 100), (EncodedRgb8{0, 0, 0})) << info.name;
+        EXPECT_GT(pixel(image, 50, 100).r, 100) << "the other face is lit";
+    }
+}
+
 TEST(Shading, EightLampsDraw) {
     std::string lamps;
     for (int i = 1; i <= 8; ++i)
         lamps += "[lamp." + std::to_string(i) + "]\nspectrum = F" + std::to_string(i) +
                  "\nstrength = 0.15\ndirection = -1 0 -" + std::to_string(i) + "\n";
     compare_right_face(lamps);
+}
+
+// A sphere of triangles is lit as a sphere: its normals are of unit length between the vertices too.
+TEST(Shading, TheBallIsRound) {
+    const Exhibit exhibit =
+        exhibit_of("[display]\nwidth = 320\nheight = 180\n[scene]\nkind = still-life\n[lamp.1]\nspectrum = "
+                   "D65\nstrength = "
+                   "0.5\ndirection = 0.2 -0.5 -1\n[object.ball]\nspecular = 0.9\nshininess = 120\n");
+    const Scene scene = build_scene(exhibit);
+    const Image image = frame_of(exhibit);
+    const auto ball = std::find_if(exhibit.objects.begin(), exhibit.objects.end(),
+                                   [](const ObjectSetting& object) { return object.name == "ball"; });
+    const Vector center(-1.35, 0.55, 0.05), eye(view_of(scene.camera, 320.0 / 180).eye);
+    int pixels = 0, brightest = 0;
+    for (int y = 0; y < 180; y += 2)
+        for (int x = 0; x < 160; x += 2) {
+            const Vector ray = glm::normalize(on_plane(exhibit, scene, x, y, center, {0, 0, 1}) - eye);
+            const double along = glm::dot(center - eye, ray);
+            const Vector nearest = eye + along * ray;
+            const double miss = glm::distance(nearest, center);
+            const Vector at = nearest - std::sqrt(std::max(0.55 * 0.55 - miss * miss, 0.0)) * ray;
+            if (miss > 0.5 || at.y < 0.65) // its rim, and where the orange stands before it
+                continue;
+            const EncodedRgb8 twin = expected(exhibit, scene, *ball, at, (at - center) / 0.55);
+            EXPECT_LE(steps(pixel(image, x, y), twin), 1) << x << ' ' << y;
+            brightest = std::max<int>(brightest, twin.b);
+            ++pixels;
+        }
+    EXPECT_GT(pixels, 200);
+    EXPECT_GT(brightest, 150) << "the highlight";
+    EXPECT_LT(brightest, 250) << "unclamped";
 }
 
 // Patches and ramps: I_shading is 1, whatever the object and the lamp say.
@@ -187,13 +234,26 @@ TEST(Shadow, FallsWhereTheOrangeStandsBeforeAPointLamp) {
     compare_shadow("position = -3.78 3.3 1.05\nstrength = 1\n");
 }
 
-TEST(Shadow, FallsUnderTheOrangeInLightFromAbove) {
+TEST(Shadow, FallsUnderWhatOverhangsInLightFromAbove) {
     const std::string above = "direction = 0 -1 0\n";
     const Exhibit with = exhibit_of(table_under(above + "shadow = yes\n")),
                   without = exhibit_of(table_under(above));
-    const Vector under(-0.78, 0, 1.27); // 0.22 before the foot, where the eye still sees the table
-    EXPECT_EQ(at_world(with, frame_of(with), under), (EncodedRgb8{0, 0, 0}));
-    EXPECT_GT(at_world(without, frame_of(without), under).r, 40);
+    const Image shadowed = frame_of(with), lit = frame_of(without);
+    // Before the feet of the orange and of the ring, which is 0.19 high there: the eye still sees the table.
+    for (const Vector& under : {Vector(-0.78, 0, 1.27), Vector(0.55, 0, 1.30)}) {
+        EXPECT_EQ(at_world(with, shadowed, under), (EncodedRgb8{0, 0, 0})) << under.x;
+        EXPECT_GT(at_world(without, lit, under).r, 40) << under.x;
+    }
+}
+
+// The table is drawn before the wall: what is nearest to the lamp counts, not what was drawn last.
+TEST(Shadow, FallsFromTheTableOnTheWallInLightFromBelow) {
+    const std::string below = "direction = 0 1 -1\n";
+    const Exhibit with = exhibit_of(table_under(below + "shadow = yes\n")),
+                  without = exhibit_of(table_under(below));
+    const Vector wall(-1, 1.5, -1.8);
+    EXPECT_EQ(at_world(with, frame_of(with), wall), (EncodedRgb8{0, 0, 0}));
+    EXPECT_GT(at_world(without, frame_of(without), wall).r, 40);
 }
 
 TEST(Shadow, NoSurfaceShadowsItself) {
