@@ -112,7 +112,7 @@ TEST_F(RowsOfAFile, NamesAndKeysAreLookedUpThereFirst) {
     EXPECT_EQ(exhibit.objects.at(2).material.key, 3);
     EXPECT_EQ(exhibit.lamps.at(0).key, 1);
     EXPECT_EQ(exhibit.lamps.at(1).key, 1);
-    EXPECT_NEAR(value_at(exhibit.lamps.at(0).lamp.spectrum.continuum, 600, 0), 3, 0.02);
+    EXPECT_NEAR(value_at_held(exhibit.lamps.at(0).lamp.spectrum.continuum, 600), 3, 0.02);
     EXPECT_EQ(exhibit.lamps.at(2).key, 2);
 }
 

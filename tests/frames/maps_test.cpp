@@ -197,17 +197,20 @@ TEST(MaterialMap, ClampsWhatItsCodesCannotHold) {
     EXPECT_EQ(row[5], 0);
 }
 
-TEST(Ramp, MixesByReflectanceByXyzAndByCodes) {
-    const Exhibit exhibit =
-        exhibit_of("[display]\nwidth = 256\nheight = 96\n[scene]\nkind = ramp\nmaterials = cc-blue, "
-                   "cc-yellow\n[lamp.1]\nspectrum = F11\nstrength = 0.8\n");
+void compare_ramp(const std::string& materials, double strength, const std::vector<int>& columns,
+                  Transfer transfer = Transfer::srgb) {
+    Exhibit exhibit =
+        exhibit_of("[display]\nwidth = 256\nheight = 96\n[scene]\nkind = ramp\nmaterials = " + materials +
+                   "\n[lamp.1]\nspectrum = F11\n");
+    exhibit.lamps[0].strength = strength;
+    exhibit.display.transfer = transfer;
     const Image image = frame_of(exhibit);
     const HalfView view = half_views(exhibit, build_scene(exhibit)).front();
     const GridObserver seen_by = observer(exhibit.atlas);
     const Emission& lamp = view.lamps[0].emission;
     const Reflectance a = reflectance(exhibit.atlas, exhibit.objects[0].material.key);
     const Reflectance b = reflectance(exhibit.atlas, exhibit.objects[0].material_end->key);
-    for (int x : {2, 64, 128, 200, 253}) {
+    for (int x : columns) {
         const double t = (x + 0.5) / 256;
         Reflectance mixed;
         for (std::size_t i = 0; i < kIntervals; ++i)
@@ -215,7 +218,7 @@ TEST(Ramp, MixesByReflectanceByXyzAndByCodes) {
         for (int bar = 0; bar < 2; ++bar) {
             const Method method = bar == 0 ? Method::spectral : Method::tristimulus;
             EXPECT_LE(steps(pixel(image, x, bar * 32 + 16),
-                            pair_rgb8<double>(method, lamp, 0.8, mixed, seen_by, view.output)),
+                            pair_rgb8<double>(method, lamp, strength, mixed, seen_by, view.output)),
                       1)
                 << x << ' ' << bar;
         }
@@ -224,12 +227,23 @@ TEST(Ramp, MixesByReflectanceByXyzAndByCodes) {
         const auto of_lamp = lamp_numbers(Method::rgb, lamp, seen_by, view.output);
         std::array<double, 3> c{};
         for (std::size_t k = 0; k < 3; ++k)
-            c[k] = 0.8 * of_lamp[k] *
-                   decode(Transfer::srgb,
-                          (1 - t) * encode(Transfer::srgb, begin[k]) + t * encode(Transfer::srgb, end[k]));
-        EXPECT_LE(steps(pixel(image, x, 80), encode_rgb8(Transfer::srgb, LinearRgb{c[0], c[1], c[2]})), 1)
-            << x;
+            c[k] = strength * of_lamp[k] *
+                   decode(transfer, (1 - t) * encode(transfer, begin[k]) + t * encode(transfer, end[k]));
+        EXPECT_LE(steps(pixel(image, x, 80), encode_rgb8(transfer, LinearRgb{c[0], c[1], c[2]})), 1) << x;
     }
+}
+
+TEST(Ramp, MixesByReflectanceByXyzAndByCodes) {
+    compare_ramp("cc-blue, cc-yellow", 0.8, {2, 64, 128, 200, 253});
+}
+
+TEST(Ramp, WithoutACurveCodesAreLight) {
+    compare_ramp("cc-blue, cc-yellow", 0.8, {2, 64, 128, 200, 253}, Transfer::none);
+}
+
+// Black to white passes the curve's straight part, codes up to 10; a strong lamp shows it.
+TEST(Ramp, KnowsTheCurvesStraightPart) {
+    compare_ramp("rgb:000000, cc-white", 20, {1, 3, 5, 7, 9, 11});
 }
 
 } // namespace

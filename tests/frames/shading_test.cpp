@@ -108,6 +108,12 @@ TEST(Shading, PointLightFallsOffWithDistance) {
         "[lamp.1]\nspectrum = A2800\nstrength = 3\nposition = 2 1 3\nfalloff = 0.2 0.1 0.15\n");
 }
 
+// The falloff's least value keeps points near a lamp finite; here it holds all over the face.
+TEST(Shading, FalloffHasALeastValue) {
+    compare_right_face(
+        "[lamp.1]\nspectrum = D65\nstrength = 0.0006\nposition = 2 1 3\nfalloff = 0 0 0.00005\n");
+}
+
 TEST(Shading, SeveralLampsAddUp) {
     compare_right_face(
         "[lamp.1]\nspectrum = A2800\nstrength = 0.4\nposition = 2 1 3\n[lamp.2]\nspectrum = F11\nstrength = "
@@ -197,6 +203,19 @@ TEST(Shading, TheBrightestLightIsWhiteNotNothing) {
                        "\n[scene]\nkind = patches\nmaterials = cc-white\n[lamp.1]\nspectrum = "
                        "E\nstrength = 1000000\n"));
         EXPECT_EQ(pixel(image, 32, 32), (EncodedRgb8{255, 255, 255})) << method;
+    }
+}
+
+// Red has a negative green as long as light is bounded nowhere; bounded, X and Y are equal and green is not.
+TEST(Shading, LightBeyondTheBoundIsTheTwins) {
+    for (const Method method : {Method::tristimulus, Method::spectral}) {
+        Exhibit exhibit =
+            exhibit_of("[display]\nwidth = 64\nheight = 64\n[scene]\nkind = patches\nmaterials = "
+                       "cc-white\n[lamp.1]\nspectrum = line:650\n");
+        exhibit.method = method;
+        EXPECT_EQ(pixel(frame_of(exhibit), 32, 32).g, 0) << method_name(method);
+        exhibit.lamps[0].strength = 1e6;
+        EXPECT_EQ(pixel(frame_of(exhibit), 32, 32).g, 255) << method_name(method);
     }
 }
 

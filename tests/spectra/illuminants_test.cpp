@@ -104,7 +104,7 @@ TEST(Daylight, RebuildsTheTablesOfD50ToD75) {
         const Curve& table = column(cie_illuminants(), name);
         for (std::size_t i = 0; i < table.value.size(); ++i) {
             // The tables are printed to three decimals.
-            EXPECT_NEAR(value_at(built, table.wavelength_nm[i], -1), table.value[i], 0.001)
+            EXPECT_NEAR(value_at_held(built, table.wavelength_nm[i]), table.value[i], 0.001)
                 << name << " at " << table.wavelength_nm[i];
         }
     }
@@ -132,15 +132,15 @@ TEST(Blackbody, PeaksWhereWienSays) {
 TEST(Blackbody, HasThePowersOfPlancksLaw) {
     const double t = 3000, c2 = 1.438776877e7;
     const Curve c = blackbody(t);
-    EXPECT_DOUBLE_EQ(value_at(c, 560, 0), 100);
+    EXPECT_DOUBLE_EQ(value_at_held(c, 560), 100);
     const double ratio =
         std::pow(800.0 / 400, 5) * (std::exp(c2 / (800 * t)) - 1) / (std::exp(c2 / (400 * t)) - 1);
-    EXPECT_NEAR(value_at(c, 400, 0) / value_at(c, 800, 0), ratio, 1e-12 * ratio);
+    EXPECT_NEAR(value_at_held(c, 400) / value_at_held(c, 800), ratio, 1e-12 * ratio);
     // CIE A is a black body of 2848 K by the radiation constant 1.435e-2 m K: 2855.5 K by today's.
     const Curve& a = column(cie_illuminants(), "A");
     const Curve b = blackbody(2848 * 1.438776877 / 1.435);
     for (std::size_t i = 0; i < a.value.size(); ++i)
-        EXPECT_NEAR(value_at(b, a.wavelength_nm[i], 0), a.value[i], 6e-4) << "printed to six digits";
+        EXPECT_NEAR(value_at_held(b, a.wavelength_nm[i]), a.value[i], 6e-4) << "printed to six digits";
     for (const double edge_k : {kColdestBlackbody_k, kHottestBlackbody_k})
         for (const double v : blackbody(edge_k).value)
             EXPECT_TRUE(std::isfinite(v) && v > 0) << edge_k;
