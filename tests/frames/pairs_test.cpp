@@ -61,6 +61,18 @@ TEST_P(Pairs, GpuIsWithinAStepOfTheTwin) {
 INSTANTIATE_TEST_SUITE_P(Materials, Pairs, testing::ValuesIn(material_sets().begin(), material_sets().end()),
                          [](const auto& set) { return set.param.name; });
 
+// Nearly all light at one end of the grid: a loop that begins late or ends early misses it.
+TEST(PairsAtTheEnds, GpuIsWithinAStepOfTheTwin) {
+    const Surfaceless context;
+    for (const double end_nm : {kThesisGrid.first_nm, kThesisGrid.last_nm()}) {
+        Exhibit exhibit = patches_of("colorchecker");
+        Lamp lamp = find_lamp("line:555");
+        lamp.spectrum.lines = {{555, 1}, {end_nm, 100}};
+        exhibit.lamps[0] = {.lamp = lamp, .key = add_lamp(exhibit.atlas, lamp)};
+        compare_with_twin(exhibit, render_frame(exhibit));
+    }
+}
+
 // The same in other spaces, curves and adaptations, on a few pairs.
 TEST(PairsInSpaces, GpuIsWithinAStepOfTheTwin) {
     const Surfaceless context;

@@ -116,6 +116,25 @@ TEST(Shadows, AConvexBodyHasNone) {
     }
 }
 
+// One lamp, one sample a pixel: whatever is neither lit nor dark is the filter's work.
+TEST(Shadows, EdgesAreFiltered) {
+    Exhibit exhibit = exhibit_of(still_life("[lamp.1]\nspectrum = E\nposition = -1 1.6 1.5\nshadow = yes\n"));
+    for (ObjectSetting& object : exhibit.objects)
+        object.specular = 0;
+    const Image shadowed = frame_of(exhibit);
+    exhibit.lamps[0].shadow = false;
+    const Image lit = frame_of(exhibit);
+    int dark = 0, between = 0;
+    for (int y = 0; y < 180; ++y)
+        for (int x = 0; x < 320; ++x) {
+            const int all = pixel(lit, x, y).g, left = pixel(shadowed, x, y).g;
+            dark += all > 60 && left == 0;
+            between += all > 60 && left > all / 5 && left < all * 4 / 5;
+        }
+    EXPECT_GT(dark, 500);
+    EXPECT_GT(between, 50);
+}
+
 // A lamp amid the things sees a cone of 120 degrees; its light goes further.
 TEST(Shadows, WhatTheMapDoesNotShowStandsInTheLight) {
     Exhibit exhibit =
