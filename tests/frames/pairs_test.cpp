@@ -68,7 +68,8 @@ TEST(PairsAtTheEnds, GpuIsWithinAStepOfTheTwin) {
         Exhibit exhibit = patches_of("colorchecker");
         Lamp lamp = find_lamp("line:555");
         lamp.spectrum.lines = {{555, 1}, {end_nm, 100}};
-        exhibit.lamps[0] = {.lamp = lamp, .key = add_lamp(exhibit.atlas, lamp)};
+        exhibit.lamps[0].lamp = lamp;
+        exhibit.lamps[0].key = add_lamp(exhibit.atlas, lamp);
         compare_with_twin(exhibit, render_frame(exhibit));
     }
 }
