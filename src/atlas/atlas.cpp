@@ -14,31 +14,22 @@ namespace metamer {
 
 namespace {
 
-using Row = std::array<std::uint8_t, kIntervals>;
-
 std::uint8_t quantized(double value) {
     return static_cast<std::uint8_t>(std::floor(value * 255 + 0.5));
 }
 
-Row quantized(const std::array<double, kIntervals>& values) {
-    Row row;
+AtlasRow quantized(const std::array<double, kIntervals>& values) {
+    AtlasRow row;
     std::transform(values.begin(), values.end(), row.begin(), [](double v) { return quantized(v); });
     return row;
 }
 
-void put(Atlas& atlas, int row, AtlasChannel channel, const Row& values) {
+void put(Atlas& atlas, int row, AtlasChannel channel, const AtlasRow& values) {
     for (std::size_t i = 0; i < kIntervals; ++i)
         atlas.rgba[atlas_byte(row, i, channel)] = values[i];
 }
 
-Row get(const Atlas& atlas, int row, AtlasChannel channel) {
-    Row values;
-    for (std::size_t i = 0; i < kIntervals; ++i)
-        values[i] = atlas.rgba[atlas_byte(row, i, channel)];
-    return values;
-}
-
-std::array<double, kIntervals> numbers(const Row& row, double scale) {
+std::array<double, kIntervals> numbers(const AtlasRow& row, double scale) {
     std::array<double, kIntervals> values;
     std::transform(row.begin(), row.end(), values.begin(), [&](std::uint8_t v) { return v / 255.0 * scale; });
     return values;
@@ -72,12 +63,12 @@ std::string place_of(const std::string& what, const std::string& name) {
 // The row that these values are in or go to. `what`: "lamp" or "material", for errors.
 template <class Entry>
 int row_for(const Atlas& atlas, const std::array<Entry, kAtlasSize>& entries, AtlasChannel channel,
-            const std::string& what, const Entry& entry, const Row& values) {
+            const std::string& what, const Entry& entry, const AtlasRow& values) {
     const std::string place = place_of(what, entry.name);
     if (const auto flaw = flaw_of_name(entry.name, entry.source))
         throw bad_input("add", place, *flaw);
     if (const int key = key_of_name(entries, entry.name)) {
-        if (get(atlas, key, channel) == values)
+        if (atlas_row(atlas, key, channel) == values)
             return key;
         throw bad_input("add", place,
                         "the atlas holds another spectrum of this name in row " + std::to_string(key));
@@ -91,13 +82,20 @@ int row_for(const Atlas& atlas, const std::array<Entry, kAtlasSize>& entries, At
 
 } // namespace
 
+AtlasRow atlas_row(const Atlas& atlas, int row, AtlasChannel channel) {
+    AtlasRow values;
+    for (std::size_t i = 0; i < kIntervals; ++i)
+        values[i] = atlas.rgba[atlas_byte(row, i, channel)];
+    return values;
+}
+
 Atlas empty_atlas() {
     Atlas atlas;
     const GridObserver exact = sampled_observer();
     put(atlas, 0, AtlasChannel::lamp, quantized(exact.x));
     put(atlas, 0, AtlasChannel::material, quantized(exact.y));
     put(atlas, 0, AtlasChannel::excitation, quantized(exact.z));
-    Row opaque;
+    AtlasRow opaque;
     opaque.fill(255);
     for (int row = 0; row < kAtlasSize; ++row)
         put(atlas, row, AtlasChannel::alpha, opaque);
@@ -111,7 +109,7 @@ int add_lamp(Atlas& atlas, const Lamp& lamp) {
                         "it has no light on the atlas's grid, " + to_text(kThesisGrid.first_nm) + " .. " +
                             to_text(kThesisGrid.last_nm()) + " nm");
     const AtlasLamp entry{lamp.name, lamp.source, sampled.peak};
-    const Row values = quantized(sampled.emission.value);
+    const AtlasRow values = quantized(sampled.emission.value);
     if (!has_luminance(atlas, values))
         throw bad_input("add", place_of("lamp", lamp.name),
                         "all of its light lies where the atlas's 8-bit observer has y = 0, so that k' = 0");
@@ -126,7 +124,7 @@ int add_lamp(Atlas& atlas, const Lamp& lamp) {
 
 int add_material(Atlas& atlas, const Material& material) {
     const AtlasMaterial entry{material.name, material.source, 1};
-    const Row values = quantized(sample_material(material.spectrum).value);
+    const AtlasRow values = quantized(sample_material(material.spectrum).value);
     const int key = row_for(atlas, atlas.materials, AtlasChannel::material, "material", entry, values);
     AtlasMaterial& taken = atlas.materials[static_cast<std::size_t>(key)];
     if (taken.name.empty()) {
@@ -145,16 +143,17 @@ int find_material_key(const Atlas& atlas, std::string_view name_or_key) {
 }
 
 GridObserver observer(const Atlas& atlas) {
-    return {numbers(get(atlas, 0, AtlasChannel::lamp), 1), numbers(get(atlas, 0, AtlasChannel::material), 1),
-            numbers(get(atlas, 0, AtlasChannel::excitation), 1)};
+    return {numbers(atlas_row(atlas, 0, AtlasChannel::lamp), 1),
+            numbers(atlas_row(atlas, 0, AtlasChannel::material), 1),
+            numbers(atlas_row(atlas, 0, AtlasChannel::excitation), 1)};
 }
 
 Emission emission(const Atlas& atlas, int key) {
-    return {numbers(get(atlas, key, AtlasChannel::lamp), 1)};
+    return {numbers(atlas_row(atlas, key, AtlasChannel::lamp), 1)};
 }
 
 Reflectance reflectance(const Atlas& atlas, int key) {
-    return {numbers(get(atlas, key, AtlasChannel::material),
+    return {numbers(atlas_row(atlas, key, AtlasChannel::material),
                     atlas.materials[static_cast<std::size_t>(key)].scale)};
 }
 

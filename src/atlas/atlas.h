@@ -46,6 +46,10 @@ constexpr std::size_t atlas_byte(int row, std::size_t interval, AtlasChannel cha
     return (static_cast<std::size_t>(row) * kAtlasSize + interval) * 4 + static_cast<std::size_t>(channel);
 }
 
+/// The bytes of a row's channel, interval by interval.
+using AtlasRow = std::array<std::uint8_t, kIntervals>;
+AtlasRow atlas_row(const Atlas& atlas, int row, AtlasChannel channel);
+
 /// An atlas of row 0 only.
 Atlas empty_atlas();
 

@@ -19,17 +19,8 @@ std::string row_text(int row) {
 }
 
 std::uint8_t greatest(const Atlas& atlas, int row, AtlasChannel channel) {
-    std::uint8_t most = 0;
-    for (std::size_t i = 0; i < kIntervals; ++i)
-        most = std::max(most, atlas.rgba[atlas_byte(row, i, channel)]);
-    return most;
-}
-
-std::array<std::uint8_t, kIntervals> row_of(const Atlas& atlas, int row, AtlasChannel channel) {
-    std::array<std::uint8_t, kIntervals> values;
-    for (std::size_t i = 0; i < kIntervals; ++i)
-        values[i] = atlas.rgba[atlas_byte(row, i, channel)];
-    return values;
+    const AtlasRow values = atlas_row(atlas, row, channel);
+    return *std::max_element(values.begin(), values.end());
 }
 
 Flaw flaw_of_observer(const Atlas& atlas) {
@@ -52,7 +43,7 @@ Flaw flaw_of_lamp(const Atlas& atlas, int row) {
     if (most != 255)
         return row_text(row) + "the greatest value of lamp \"" + lamp.name + "\" is " + std::to_string(most) +
                ", not 255";
-    if (!has_luminance(atlas, row_of(atlas, row, AtlasChannel::lamp)))
+    if (!has_luminance(atlas, atlas_row(atlas, row, AtlasChannel::lamp)))
         return row_text(row) + "lamp \"" + lamp.name + "\" has light only where the observer's y is 0";
     return {};
 }
@@ -89,7 +80,7 @@ Flaw flaw_of_names(const std::array<Entry, kAtlasSize>& entries, const std::stri
 
 } // namespace
 
-bool has_luminance(const Atlas& atlas, const std::array<std::uint8_t, kIntervals>& lamp) {
+bool has_luminance(const Atlas& atlas, const AtlasRow& lamp) {
     for (std::size_t i = 0; i < kIntervals; ++i)
         if (lamp[i] != 0 && atlas.rgba[atlas_byte(0, i, AtlasChannel::material)] != 0) // green: y
             return true;

@@ -1,8 +1,6 @@
 // What every atlas must keep, whoever filled it.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -18,7 +16,7 @@ std::optional<std::string> flaw_of(const Atlas& atlas);
 
 /// Whether a lamp of these bytes has any light where the atlas's own observer has y > 0: its k' is not 0.
 /// Violet lines (385 .. 415 nm) have none, as 8 bits round y to 0 there.
-bool has_luminance(const Atlas& atlas, const std::array<std::uint8_t, kIntervals>& lamp);
+bool has_luminance(const Atlas& atlas, const AtlasRow& lamp);
 
 /// What is wrong with the name and source of a row; none when the name is not empty and both are UTF-8
 /// without control characters.
