@@ -17,6 +17,14 @@ double f(double t) {
     return t > delta * delta * delta ? std::cbrt(t) : t / (3 * delta * delta) + 4.0 / 29;
 }
 
+double f_slope(double t) {
+    constexpr double delta = 6.0 / 29;
+    if (t <= delta * delta * delta)
+        return 1 / (3 * delta * delta);
+    const double root = std::cbrt(t);
+    return 1 / (3 * root * root);
+}
+
 double hue_deg(double a, double b) {
     if (a == 0 && b == 0)
         return 0;
@@ -44,6 +52,20 @@ double mean_hue_deg(double h1, double h2, bool gray) {
     return h1 + h2 < 360 ? (h1 + h2 + 360) / 2 : (h1 + h2 - 360) / 2;
 }
 
+// S_L, S_C, S_H and R_T of a lightness, a chroma and a hue.
+struct Terms {
+    double sl, sc, sh, rt;
+};
+
+Terms terms(double l, double c, double h) {
+    const double t = 1 - 0.17 * std::cos((h - 30) * kDegree) + 0.24 * std::cos(2 * h * kDegree) +
+                     0.32 * std::cos((3 * h + 6) * kDegree) - 0.20 * std::cos((4 * h - 63) * kDegree);
+    const double l50 = (l - 50) * (l - 50);
+    const double turn_deg = 30 * std::exp(-std::pow((h - 275) / 25, 2));
+    return {1 + 0.015 * l50 / std::sqrt(20 + l50), 1 + 0.045 * c, 1 + 0.015 * c * t,
+            -2 * pow7_share(c) * std::sin(2 * turn_deg * kDegree)};
+}
+
 } // namespace
 
 Xyz display_white() {
@@ -65,13 +87,7 @@ double delta_e_2000(const Lab& p, const Lab& q) {
     const double dl = q.l - p.l, dc = c2 - c1;
     const double dh = 2 * std::sqrt(c1 * c2) * std::sin(hue_difference_deg(h1, h2, gray) / 2 * kDegree);
     const double l = (p.l + q.l) / 2, c = (c1 + c2) / 2, h = mean_hue_deg(h1, h2, gray);
-
-    const double t = 1 - 0.17 * std::cos((h - 30) * kDegree) + 0.24 * std::cos(2 * h * kDegree) +
-                     0.32 * std::cos((3 * h + 6) * kDegree) - 0.20 * std::cos((4 * h - 63) * kDegree);
-    const double l50 = (l - 50) * (l - 50);
-    const double sl = 1 + 0.015 * l50 / std::sqrt(20 + l50), sc = 1 + 0.045 * c, sh = 1 + 0.015 * c * t;
-    const double turn_deg = 30 * std::exp(-std::pow((h - 275) / 25, 2));
-    const double rt = -2 * pow7_share(c) * std::sin(2 * turn_deg * kDegree);
+    const auto [sl, sc, sh, rt] = terms(l, c, h);
 
     const double x = dl / sl, y = dc / sc, z = dh / sh;
     // Rounding may leave the sum of equal colors just below 0; NaN stays NaN.
@@ -82,6 +98,25 @@ double delta_e_2000(const Lab& p, const Lab& q) {
 double delta_e_2000(const Xyz& a, const Xyz& b) {
     const Xyz white = display_white();
     return delta_e_2000(lab(a, white), lab(b, white));
+}
+
+// G, S_L .. R_T are taken at the mean of the two colors: in the limit they are constants.
+Matrix3 delta_e_2000_slopes(const Xyz& color) {
+    const Xyz white = display_white();
+    const Lab p = lab(color, white);
+    const double stretch = 1 + 0.5 * (1 - pow7_share(std::hypot(p.a, p.b)));
+    const double a = stretch * p.a, c = std::hypot(a, p.b);
+    const auto [sl, sc, sh, rt] = terms(p.l, c, hue_deg(a, p.b));
+    const double x = f_slope(color.x / white.x) / white.x, y = f_slope(color.y / white.y) / white.y,
+                 z = f_slope(color.z / white.z) / white.z;
+    const Matrix3 lab_slopes{
+        {{{0, 116 * y, 0}, {500 * stretch * x, -500 * stretch * y, 0}, {0, 200 * y, -200 * z}}}};
+    const double cosine = c > 0 ? a / c : 1, sine = c > 0 ? p.b / c : 0;
+    const Matrix3 chroma_and_hue{
+        {{{1 / sl, 0, 0}, {0, cosine / sc, sine / sc}, {0, -sine / sh, cosine / sh}}}};
+    // u^2 + v^2 + rt u v, completed to squares; |rt| < 2.
+    const Matrix3 squares{{{{1, 0, 0}, {0, 1, rt / 2}, {0, 0, std::sqrt(1 - rt * rt / 4)}}}};
+    return squares * chroma_and_hue * lab_slopes;
 }
 
 } // namespace metamer

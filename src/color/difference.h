@@ -1,6 +1,7 @@
 // Color differences.
 #pragma once
 
+#include "color/matrix3.h"
 #include "color/xyz.h"
 
 namespace metamer {
@@ -23,5 +24,10 @@ double delta_e_2000(const Lab& a, const Lab& b);
 /// CIEDE2000 of two colors seen on the display: delta_e_2000(lab(a, display_white()), lab(b,
 /// display_white())).
 double delta_e_2000(const Xyz& a, const Xyz& b);
+
+/// How a small change of XYZ is seen: the matrix J for which delta_e_2000(c, c + d) tends to |J d| for small
+/// d, both seen on the display. The rows are CIEDE2000's terms of lightness, of chroma with its share of the
+/// rotation, and of hue; at a gray, where hue is open, a and b stand for chroma and hue.
+Matrix3 delta_e_2000_slopes(const Xyz& c);
 
 } // namespace metamer

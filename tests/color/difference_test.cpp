@@ -1,6 +1,9 @@
 #include "color/difference.h"
 
+#include <array>
+#include <cmath>
 #include <gtest/gtest.h>
+#include <vector>
 
 namespace metamer {
 namespace {
@@ -79,6 +82,35 @@ TEST(Cielab, MiddleGrayIsKnown) {
 TEST(DisplayWhite, IsD65) {
     EXPECT_NEAR(display_white().x, 0.95046, 1e-5);
     EXPECT_NEAR(display_white().z, 1.08906, 1e-5);
+}
+
+// The oracle is delta_e_2000 itself: over light, dark, saturated colors and the blue where R_T turns the
+// ellipses, in several directions.
+TEST(DeltaE2000, SlopesAreItsLimit) {
+    const Xyz white = display_white();
+    const std::vector<Xyz> colors{{0.3, 0.4, 0.2},     {0.9, 0.95, 1.0},    {0.006, 0.005, 0.004},
+                                  {0.18, 0.08, 0.9},   {0.2, 0.11, 0.55},   {0.6, 0.4, 0.001},
+                                  {1.3, 1.0, 0.1},     0.2 * white,         {0.02, 0.06, 0.03},
+                                  {0.162, 0.15, 0.19}, {0.05, 0.0321, 0.09}};
+    for (const Xyz& c : colors)
+        for (const auto& d : {std::array{1.0, 0.0, 0.0},
+                              {0.0, 1.0, 0.0},
+                              {0.0, 0.0, 1.0},
+                              {1.0, 1.0, 1.0},
+                              {0.5, -0.3, 0.8},
+                              {-0.6, 0.4, 0.2}}) {
+            const double small = 1e-6 * c.y;
+            const auto seen = delta_e_2000_slopes(c) * std::array{small * d[0], small * d[1], small * d[2]};
+            const double linear = std::hypot(seen[0], seen[1], seen[2]);
+            const double exact = delta_e_2000(c, c + small * Xyz{d[0], d[1], d[2]});
+            EXPECT_NEAR(linear / exact, 1, 1e-3) << c.x << " " << c.y << " " << c.z << " d " << d[0] << d[1];
+        }
+}
+
+TEST(DeltaE2000, SlopesOfBlackAreFinite) {
+    for (const auto& row : delta_e_2000_slopes({}).m)
+        for (const double slope : row)
+            EXPECT_TRUE(std::isfinite(slope));
 }
 
 } // namespace
