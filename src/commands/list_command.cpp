@@ -32,7 +32,8 @@ void list_materials() {
             print_row("  " + name, find_material(name).description);
         std::cout << '\n';
     }
-    std::cout << "By formula: rgb:RRGGBB, gauss:CENTER_NM:FWHM_NM. By file: FILE.csv, FILE.csv#COLUMN\n";
+    std::cout << "By formula: rgb:RRGGBB, gauss:CENTER_NM:FWHM_NM, "
+                 "absorb:CENTER_NM:FWHM_NM:DENSITY... By file: FILE.csv, FILE.csv#COLUMN\n";
 }
 
 void list_spaces() {

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/names.h"
 #include "base/numbers.h"
+#include "spectra/absorption.h"
 #include "spectra/blackbody.h"
 #include "spectra/daylight.h"
 #include "spectra/gaussian.h"
@@ -16,7 +17,7 @@ namespace metamer {
 namespace {
 
 const std::vector<std::string>& formula_names() {
-    static const std::vector<std::string> names{"planck", "daylight", "gauss", "line", "rgb"};
+    static const std::vector<std::string> names{"planck", "daylight", "gauss", "line", "rgb", "absorb"};
     return names;
 }
 
@@ -40,7 +41,8 @@ Error refused(const Formula& formula, const std::string& cause) {
 Error unknown(const Formula& formula) {
     return refused(formula, "there is no formula " + formula.name + ":" +
                                 did_you_mean(formula.name, formula_names()) +
-                                " (planck:K, daylight:K, gauss:CENTER:FWHM, line:NM, rgb:RRGGBB)");
+                                " (planck:K, daylight:K, gauss:CENTER:FWHM, line:NM, rgb:RRGGBB, "
+                                "absorb:CENTER:FWHM:DENSITY...)");
 }
 
 // What an operand is called, its unit and its range.
@@ -54,12 +56,25 @@ constexpr Operand kPlanckTemperature{"temperature", "K", kColdestBlackbody_k, kH
 constexpr Operand kDaylightTemperature{"color temperature", "K", kLowestDaylight_k, kHighestDaylight_k};
 constexpr Operand kWavelength{"wavelength", "nm", kReferenceGrid.first_nm, kReferenceGrid.last_nm()};
 constexpr Operand kFwhm{"width (FWHM)", "nm", kNarrowest_nm, kWidest_nm};
+constexpr Operand kDensity{"density", "", 0, kDensest};
 
 // Without an exponent: 100000, where to_text prefers the shorter 1e+05.
 std::string plain(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.10g", value);
     return text;
+}
+
+double number(const Formula& formula, const std::string& text, const Operand& wanted) {
+    const auto& [what, unit, least, most] = wanted;
+    const auto value = parse_number(text);
+    if (!value)
+        throw refused(formula, std::string(what) + " is no number: `" + text + "`");
+    const std::string units = *unit ? std::string(" ") + unit : "";
+    if (*value < least || *value > most)
+        throw refused(formula, std::string(what) + " " + to_text(*value) + units + " is outside " +
+                                   plain(least) + ".." + plain(most) + units);
+    return *value;
 }
 
 template <std::size_t n>
@@ -69,16 +84,8 @@ std::array<double, n> numbers(const Formula& formula, const std::array<Operand, 
                                    (n == 1 ? " number" : " numbers") + ", here are " +
                                    std::to_string(formula.operands.size()));
     std::array<double, n> out{};
-    for (std::size_t i = 0; i < n; ++i) {
-        const auto& [what, unit, least, most] = wanted[i];
-        const auto value = parse_number(formula.operands[i]);
-        if (!value)
-            throw refused(formula, std::string(what) + " is no number: `" + formula.operands[i] + "`");
-        if (*value < least || *value > most)
-            throw refused(formula, std::string(what) + " " + to_text(*value) + " " + unit + " is outside " +
-                                       plain(least) + ".." + plain(most) + " " + unit);
-        out[i] = *value;
-    }
+    for (std::size_t i = 0; i < n; ++i)
+        out[i] = number(formula, formula.operands[i], wanted[i]);
     return out;
 }
 
@@ -131,6 +138,27 @@ Material srgb_material(const Formula& formula) {
             "Burns's LHTSS for sRGB " + text + " under D65", std::move(*spectrum)};
 }
 
+Material absorbing_material(const Formula& formula) {
+    const auto& operands = formula.operands;
+    if (operands.empty() || operands.size() % 3 != 0)
+        throw refused(formula, "absorb: takes three numbers a band, CENTER:FWHM:DENSITY, here are " +
+                                   std::to_string(operands.size()));
+    std::vector<AbsorptionBand> bands;
+    std::string name = "absorb", at;
+    for (std::size_t i = 0; i < operands.size(); i += 3) {
+        const AbsorptionBand band{number(formula, operands[i], kWavelength),
+                                  number(formula, operands[i + 1], kFwhm),
+                                  number(formula, operands[i + 2], kDensity)};
+        name += ":" + to_text(band.center_nm) + ":" + to_text(band.fwhm_nm) + ":" + to_text(band.density);
+        at += (at.empty() ? "" : ", ") + to_text(band.center_nm);
+        bands.push_back(band);
+    }
+    return {name,
+            "absorbing medium with " + std::string(bands.size() == 1 ? "a band" : "bands") + " at " + at +
+                " nm, internal transmittance at thickness 1, computed",
+            "Gaussian bands of optical density", transmittance(bands)};
+}
+
 } // namespace
 
 std::optional<Lamp> lamp_by_formula(std::string_view name) {
@@ -148,8 +176,8 @@ std::optional<Lamp> lamp_by_formula(std::string_view name) {
         return Lamp{
             b.name(), b.description() + ", computed", "a Gaussian", {gaussian(b.center_nm, b.fwhm_nm), {}}};
     }
-    if (formula->name == "rgb")
-        throw refused(*formula, "rgb: makes a material, not a lamp");
+    if (formula->name == "rgb" || formula->name == "absorb")
+        throw refused(*formula, formula->name + ": makes a material, not a lamp");
     throw unknown(*formula);
 }
 
@@ -164,6 +192,8 @@ std::optional<Material> material_by_formula(std::string_view name) {
     }
     if (formula->name == "rgb")
         return srgb_material(*formula);
+    if (formula->name == "absorb")
+        return absorbing_material(*formula);
     if (formula->name == "line")
         throw refused(*formula, "a line has no width that a material could reflect; take gauss:CENTER:FWHM");
     if (formula->name == "planck" || formula->name == "daylight")

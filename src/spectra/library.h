@@ -29,7 +29,7 @@ struct Material {
 
 /// A named list of at most 63 materials: one atlas's worth.
 struct MaterialSet {
-    std::string name; ///< "colorchecker", "single", "weighted", "empirical", "crayons"
+    std::string name; ///< "colorchecker", "single", "weighted", "empirical", "crayons", "media"
     std::string description;
     std::vector<std::string> materials;
 };
@@ -56,8 +56,8 @@ const MaterialSet* find_material_set(std::string_view name);
 Lamp find_lamp(std::string_view name, const std::string& folder = ".",
                std::vector<std::string>* warnings = nullptr);
 
-/// A material likewise; formulas: `gauss:530:20` (peak 1) and `rgb:ED0A3F` (the smoothest reflectance with
-/// exactly this sRGB color under D65).
+/// A material likewise; formulas: `gauss:530:20` (peak 1), `rgb:ED0A3F` (the smoothest reflectance with
+/// exactly this sRGB color under D65) and `absorb:590:50:1` (transmittance of an absorbing medium).
 Material find_material(std::string_view name, const std::string& folder = ".",
                        std::vector<std::string>* warnings = nullptr);
 

@@ -42,6 +42,12 @@ const std::vector<Recipe>& recipes() {
         {{"crayons", "fifteen crayons, modelled from Crayola's published sRGB colors; no measurement",
           crayon_names()},
          kept<crayon_materials>},
+        {{"media",
+          "colored glasses and liquids: internal transmittance, computed from published band positions; "
+          "density 1 "
+          "at thickness 1",
+          media_names()},
+         kept<media_materials>},
     };
     return all;
 }

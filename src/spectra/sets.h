@@ -31,6 +31,14 @@ std::vector<std::string> crayon_names();
 /// The crayons, modelled from Crayola's published sRGB colors (crayons.csv, srgb_reflectance).
 std::vector<Material> crayon_materials();
 
+/// The media's names, without computing them.
+std::vector<std::string> media_names();
+
+/// Absorbing media, glasses and liquids: internal transmittance at the thickness where the strongest
+/// absorption on the thesis's grid has density 1 (transmittance 0.1); at d times that, to the power d.
+/// Gaussian bands at published positions (transmittance(), absorption.h): computed, not measured.
+std::vector<Material> media_materials();
+
 /// The library's material of this name, case aside; none when there is none. Builds no set but the one that
 /// has it.
 const Material* library_material(std::string_view name);

@@ -59,7 +59,7 @@ TEST_F(AtlasCommand, TheValuesAreTheSpectras) {
 }
 
 TEST_F(AtlasCommand, EveryLampFitsBesideEachSet) {
-    for (const char* set : {"colorchecker", "single", "weighted", "empirical", "crayons"}) {
+    for (const char* set : {"colorchecker", "single", "weighted", "empirical", "crayons", "media"}) {
         output_of({"atlas", "build", "--lamps", "all", "--materials", set, "-o", "a.png"});
         const json document = json_of({"atlas", "show", "a.png", "--json"});
         EXPECT_GE(names(document, "lamp").size(), 50u);

@@ -105,8 +105,8 @@ TEST_F(List, FormulasAndFilesAreSaid) {
                 HasSubstr("\nBy formula: planck:KELVIN, daylight:KELVIN, gauss:CENTER_NM:FWHM_NM, line:NM. "
                           "By file: FILE.csv, FILE.csv#COLUMN\n"));
     EXPECT_THAT(output_of({"list", "materials"}),
-                HasSubstr("\nBy formula: rgb:RRGGBB, gauss:CENTER_NM:FWHM_NM. By file: FILE.csv, "
-                          "FILE.csv#COLUMN\n"));
+                HasSubstr("\nBy formula: rgb:RRGGBB, gauss:CENTER_NM:FWHM_NM, "
+                          "absorb:CENTER_NM:FWHM_NM:DENSITY... By file: FILE.csv, FILE.csv#COLUMN\n"));
 }
 
 } // namespace

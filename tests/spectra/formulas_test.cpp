@@ -91,6 +91,9 @@ TEST(Formulas, AreNamedInOneWay) {
     EXPECT_EQ(find_lamp("line:589.3").name, "line:589.3");
     EXPECT_EQ(find_material("gauss:530:20").name, "gauss:530:20");
     EXPECT_EQ(find_material("rgb:ed0a3f").name, "rgb:ED0A3F");
+    EXPECT_EQ(find_material("Absorb: 590.0:50:1").name, "absorb:590:50:1");
+    EXPECT_EQ(find_material("absorb:540:50:.5:590:50:0.9").name, "absorb:540:50:0.5:590:50:0.9");
+    EXPECT_THAT(find_material("absorb:590:50:1").description, testing::HasSubstr("computed"));
     for (const char* name : {"planck:2856", "daylight:5000", "gauss:530:20", "line:589.3"})
         EXPECT_THAT(find_lamp(name).description, testing::HasSubstr("computed"));
     EXPECT_THAT(find_material("rgb:808080").description, testing::HasSubstr("modelled"));
@@ -133,7 +136,8 @@ TEST(Formulas, NameTheRangeTheyKeep) {
 TEST(Formulas, RefuseWhatTheyCannotBe) {
     EXPECT_EQ(lamp_refusal("plank:3000"), "cannot compute plank:3000: there is no formula plank:; did you "
                                           "mean \"planck\"? (planck:K, daylight:K, "
-                                          "gauss:CENTER:FWHM, line:NM, rgb:RRGGBB)");
+                                          "gauss:CENTER:FWHM, line:NM, rgb:RRGGBB, "
+                                          "absorb:CENTER:FWHM:DENSITY...)");
     EXPECT_NE(lamp_refusal(":"), "taken");
     EXPECT_EQ(lamp_refusal("rgb:FF0000"), "cannot compute rgb:FF0000: rgb: makes a material, not a lamp");
     EXPECT_EQ(material_refusal("planck:3000"),
@@ -144,6 +148,27 @@ TEST(Formulas, RefuseWhatTheyCannotBe) {
     EXPECT_EQ(material_refusal("rgb:12345"),
               "cannot compute rgb:12345: rgb: takes six hexadecimal digits, RRGGBB");
     EXPECT_NE(material_refusal("rgb:"), "taken");
+}
+
+TEST(Formulas, RefuseMediaThatAreNone) {
+    EXPECT_EQ(lamp_refusal("absorb:590:50:1"),
+              "cannot compute absorb:590:50:1: absorb: makes a material, not a lamp");
+    EXPECT_EQ(
+        material_refusal("absorb:590:50"),
+        "cannot compute absorb:590:50: absorb: takes three numbers a band, CENTER:FWHM:DENSITY, here are 2");
+    EXPECT_EQ(
+        material_refusal("absorb:590:50:1:600"),
+        "cannot compute absorb:590:50:1:600: absorb: takes three numbers a band, CENTER:FWHM:DENSITY, here "
+        "are 4");
+    EXPECT_EQ(material_refusal("absorb:590:50:-0.1"),
+              "cannot compute absorb:590:50:-0.1: density -0.1 is outside 0..10");
+    EXPECT_EQ(material_refusal("absorb:590:50:11"),
+              "cannot compute absorb:590:50:11: density 11 is outside 0..10");
+    EXPECT_EQ(material_refusal("absorb:590:50:1:900:50:1"),
+              "cannot compute absorb:590:50:1:900:50:1: wavelength 900 nm is outside 360..830 nm");
+    EXPECT_EQ(material_refusal("absorb:590:50:thick"),
+              "cannot compute absorb:590:50:thick: density is no number: `thick`");
+    EXPECT_NE(material_refusal("absorb:"), "taken");
 }
 
 TEST(Formulas, RefuseLampsWithoutLightOnTheGrid) {

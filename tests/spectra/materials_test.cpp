@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "color/colorimetry.h"
+#include "color/grid.h"
 #include "color/resample.h"
 #include "spectra/library.h"
 #include "spectra/sets.h"
@@ -20,14 +21,15 @@ double luminance_under_e(const std::string& material) {
     return reference_xyz(find_lamp("E").spectrum, find_material(material).spectrum).y;
 }
 
-TEST(MaterialSets, AreFiveEachOneAtlasFull) {
+TEST(MaterialSets, AreSixEachOneAtlasFull) {
     std::vector<std::string> names;
     for (const MaterialSet& set : material_sets()) {
         names.push_back(set.name);
         EXPECT_LE(set.materials.size(), 63u) << set.name;
         EXPECT_FALSE(set.description.empty()) << set.name;
     }
-    EXPECT_THAT(names, testing::ElementsAre("colorchecker", "single", "weighted", "empirical", "crayons"));
+    EXPECT_THAT(names,
+                testing::ElementsAre("colorchecker", "single", "weighted", "empirical", "crayons", "media"));
     ASSERT_NE(find_material_set(" Crayons "), nullptr);
     EXPECT_EQ(find_material_set("crayon"), nullptr);
 }
@@ -129,6 +131,37 @@ TEST(Crayons, HaveCrayolasColorsUnderD65) {
     }
     EXPECT_THAT(find_material("crayon-red").description, testing::HasSubstr("ED0A3F"));
     EXPECT_EQ(crayon_names(), set.materials);
+}
+
+TEST(Media, HaveDensityOneAtMostOnTheGridAndSayThatTheyAreComputed) {
+    const MaterialSet& set = *find_material_set("media");
+    EXPECT_GE(set.materials.size(), 8u);
+    EXPECT_EQ(media_names(), set.materials);
+    for (const std::string& name : set.materials) {
+        const Material medium = find_material(name);
+        double least = 1;
+        for (std::size_t i = 0; i < kThesisGrid.count; ++i)
+            least = std::min(least, value_at_held(medium.spectrum.curve, kThesisGrid.wavelength_nm(i)));
+        EXPECT_NEAR(least, 0.1, 1e-12) << name;
+        EXPECT_THAT(medium.description, testing::HasSubstr("computed, not measured"));
+        EXPECT_THAT(medium.source, testing::HasSubstr("Gaussian bands at "));
+    }
+}
+
+// Color names, as chromaticity under D65, at density 1; neodymium glass is lilac by daylight.
+TEST(Media, HaveTheColorsOfTheirNames) {
+    const auto code = [](const char* name) { return srgb_code_under_d65(find_material(name).spectrum); };
+    for (const char* blue : {"glass-cobalt", "liquid-brilliant-blue", "liquid-copper"})
+        EXPECT_GT(code(blue).b, code(blue).r + 40) << blue;
+    EXPECT_GT(code("glass-ruby").r, code("glass-ruby").g + 80);
+    EXPECT_GT(code("liquid-allura-red").r, code("liquid-allura-red").g + 60);
+    EXPECT_GT(code("glass-chrome").g, std::max(code("glass-chrome").r, code("glass-chrome").b) + 10);
+    EXPECT_GT(code("glass-amber").r, code("glass-amber").b + 60);
+    EXPECT_GT(code("liquid-tartrazine").g, code("liquid-tartrazine").b + 60);
+    EXPECT_GT(code("liquid-permanganate").r, code("liquid-permanganate").g + 40);
+    EXPECT_GT(code("liquid-permanganate").b, code("liquid-permanganate").g + 40);
+    EXPECT_GT(code("glass-neodymium").b, code("glass-neodymium").g);
+    EXPECT_LT(luminance_under_e("glass-neodymium"), 0.9);
 }
 
 } // namespace
