@@ -1,0 +1,44 @@
+// The experiments of `metamer stability`: one thing swept until methods fail.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "report/plot.h"
+
+namespace metamer {
+
+struct ExperimentPoint {
+    double x = 0;
+    std::map<std::string, double> delta_e{}; ///< CIEDE2000 by method
+};
+
+/// Where a method fails, and why, in half a sentence.
+struct Failure {
+    std::string method{};
+    double at = 0;
+    std::string why{};
+};
+
+struct Experiment {
+    std::string name{};
+    std::string swept{}, unit{}; ///< unit: empty for a plain number
+    bool log_x = true;
+    std::vector<ExperimentPoint> points{};
+    std::vector<Failure> fails{};
+    std::string guard{}; ///< what the program does about it
+};
+
+/// {"experiments": [...]} as DESIGN.md section 6 names it; a difference that is no finite number is null.
+/// Ends in a line break. Throws bad_input `cannot write stability: ...` for text that is not UTF-8.
+std::string experiments_json(const std::vector<Experiment>& experiments);
+
+/// Pages of at most `columns` x `rows` small plots: a line per method, rings where one fails, the cause and
+/// the guard under it. `tolerance`: a line across each; 0: none. Throws bad_input for columns or rows
+/// below 1.
+std::vector<Picture> experiment_pages(const std::vector<Experiment>& experiments, double tolerance,
+                                      const std::string& note, int columns = 3, int rows = 2,
+                                      int width_px = 1800, int height_px = 1200);
+
+} // namespace metamer

@@ -1,0 +1,30 @@
+// The fields of a chart by name, once for CSV and JSON. Private to this room.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "report/rows.h"
+
+namespace metamer {
+
+/// One field of `Of`: its name, its value as JSON, and how text sets it. `set` gives the cause why it cannot,
+/// or an empty text.
+template <class Of>
+struct Field {
+    std::string_view name;
+    nlohmann::ordered_json (*get)(const Of&);
+    std::string (*set)(Of&, const std::string& text);
+};
+
+std::span<const Field<ChartRow>> row_fields();
+std::span<const Field<ChartContext>> context_fields();
+
+/// A field's value as CSV writes it: text as it is, numbers shortest, `true` and `false`.
+std::string field_text(const nlohmann::ordered_json& value);
+
+} // namespace metamer
