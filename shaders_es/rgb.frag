@@ -5,5 +5,5 @@
 #include "product.glsl"
 
 void main() {
-    gl_FragColor = vec4(encode(product()), 1.0);
+    gl_FragColor = encode(product());
 }

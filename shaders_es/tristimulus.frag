@@ -4,8 +4,8 @@
 #include "output.glsl"
 #include "product.glsl"
 
-uniform mat3 u_rgb_from_xyz;
+uniform mat3 u_rgb_from_numbers;
 
 void main() {
-    gl_FragColor = vec4(encode(u_rgb_from_xyz * bounded(product())), 1.0);
+    gl_FragColor = encode(u_rgb_from_numbers * bounded(product()));
 }

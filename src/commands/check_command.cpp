@@ -9,7 +9,7 @@
 #include "commands/command_line.h"
 #include "commands/commands.h"
 #include "exhibit/load.h"
-#include "render/half_view.h"
+#include "plan/half_view.h"
 #include "spectra/csv.h"
 
 namespace metamer {
@@ -20,7 +20,7 @@ namespace {
 
 std::string check_exhibit(const std::string& path, std::vector<std::string>& warnings) {
     const Exhibit exhibit = load_exhibit(path, {}, &warnings);
-    half_views(exhibit, build_scene(exhibit)); // an adaptation that cannot be
+    half_views(exhibit); // an adaptation that cannot be
     return "exhibit, " + counted(exhibit.objects.size(), "object") + ", " +
            counted(exhibit.lamps.size(), "lamp");
 }

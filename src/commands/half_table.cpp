@@ -5,9 +5,9 @@
 
 #include "base/error.h"
 #include "color/difference.h"
-#include "methods/pair.h"
+#include "methods/shade.h"
+#include "plan/planner.h"
 #include "render/frame.h"
-#include "render/half_view.h"
 #include "spectra/library.h"
 
 namespace metamer {
@@ -15,10 +15,15 @@ namespace metamer {
 namespace {
 
 // The color that the display gives to one half's code values, clamped as it clamps them.
-Xyz shown(const Exhibit& exhibit, const HalfView& view, const ObjectSetting& object) {
-    const auto rgb = pair_linear<double>(method_of(exhibit, view.half, object), view.lamps.front().emission,
-                                         1, reflectance(exhibit.atlas, object.material.key),
-                                         observer(exhibit.atlas), view.output);
+Xyz shown(const Exhibit& exhibit, const ExhibitSpectra& spectra, const HalfPlan& half, std::size_t object) {
+    Pixel pixel = pixel_of(half.view);
+    pixel.lamps.front().strength = 1;
+    pixel.material = spectra.material(exhibit.objects[object].material.key);
+    Sight sight{&spectra.seen(), &spectra.exact(), half.view.output_of()};
+    const ObjectPlan& plan = half.objects[object];
+    if (plan.method == Method::reduced)
+        sight.taps = &plan.taps;
+    const auto rgb = shade<double>(plan.method, pixel, sight);
     const auto clamped = [](double v) { return std::clamp(v, 0.0, 1.0); };
     return to_xyz(xyz_from_display_rgb(exhibit.display), {clamped(rgb.r), clamped(rgb.g), clamped(rgb.b)});
 }
@@ -33,12 +38,13 @@ Exhibit under_lamp(Exhibit exhibit, const std::string& name) {
 
 HalfDifference difference_under(const Exhibit& exhibit, const std::string& lamp) {
     const Exhibit lit = under_lamp(exhibit, lamp);
-    Scene scene; // its shapes do not matter here
-    scene.lamp_directions.emplace_back(0, 0, 1);
-    const auto views = half_views(lit, scene);
+    const ExhibitSpectra spectra(lit);
+    const Plan plan = plan_exhibit(lit, spectra);
     HalfDifference out{.lamp = lamp, .mean = 0, .greatest = -1, .worst_material = {}};
-    for (const ObjectSetting& object : lit.objects) {
-        const double difference = delta_e_2000(shown(lit, views[0], object), shown(lit, views[1], object));
+    for (std::size_t i = 0; i < lit.objects.size(); ++i) {
+        const ObjectSetting& object = lit.objects[i];
+        const double difference =
+            delta_e_2000(shown(lit, spectra, plan.halves[0], i), shown(lit, spectra, plan.halves[1], i));
         out.mean += difference / static_cast<double>(lit.objects.size());
         if (difference > out.greatest) {
             out.greatest = difference;

@@ -2,9 +2,10 @@
 
 #include "color/colorimetry.h"
 #include "color/difference.h"
-#include "methods/pair.h"
+#include "methods/shade.h"
+#include "plan/exhibit_spectra.h"
+#include "plan/half_view.h"
 #include "render/frame.h"
-#include "render/half_view.h"
 
 namespace metamer {
 
@@ -27,14 +28,16 @@ Exhibit pair_exhibit(const Lamp& lamp, const Material& material, const Display& 
     exhibit.display.width_px = exhibit.display.height_px = kPatchPx;
     exhibit.display.supersample = 1;
     exhibit.scene = SceneKind::patches;
-    exhibit.method = method;
+    exhibit.accuracy.method = method;
     exhibit.atlas = empty_atlas();
     LampSetting& lamp_setting = exhibit.lamps.emplace_back();
     lamp_setting.lamp = lamp;
     lamp_setting.key = add_lamp(exhibit.atlas, lamp);
     ObjectSetting& object = exhibit.objects.emplace_back();
     object.name = "patch-1";
-    object.material = {material, add_material(exhibit.atlas, material)};
+    object.material.material = material;
+    object.material.key = add_material(exhibit.atlas, material);
+    exhibit.materials.emplace(object.material.key, material);
     return exhibit;
 }
 
@@ -42,14 +45,14 @@ Measurement measure(const Lamp& lamp, const Material& material, const Display& d
     Measurement out{lamp.name, material.name, reference_xyz(lamp.spectrum, material.spectrum), {}};
     for (const MethodInfo& info : kMethods) {
         const Exhibit exhibit = pair_exhibit(lamp, material, display, info.method);
-        const HalfView view = half_views(exhibit, build_scene(exhibit)).front();
-        const Emission& emitted = view.lamps.front().emission;
-        const Reflectance reflected = reflectance(exhibit.atlas, exhibit.objects.front().material.key);
-        const GridObserver seen_by = observer(exhibit.atlas);
-        const Xyz xyz = pair_xyz(info.method, emitted, reflected, seen_by, view.output);
+        const ExhibitSpectra spectra(exhibit);
+        const HalfView view = half_views(exhibit).front();
+        Pixel pixel = pixel_of(view);
+        pixel.material = spectra.material(exhibit.objects.front().material.key);
+        const Sight sight{&spectra.seen(), &spectra.exact(), view.output_of()};
+        const Xyz xyz = shade_xyz<double>(info.method, pixel, sight);
         out.methods.push_back({info.method, xyz, delta_e_2000(xyz, out.reference),
-                               pair_rgb8<float>(info.method, emitted, 1, reflected, seen_by, view.output),
-                               middle(render_frame(exhibit))});
+                               shade_rgb8<float>(info.method, pixel, sight), middle(render_frame(exhibit))});
     }
     return out;
 }

@@ -3,12 +3,14 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "atlas/atlas.h"
 #include "color/adaptation.h"
+#include "color/gamut.h"
 #include "color/matrix3.h"
 #include "color/transfer.h"
 #include "color/working_space.h"
@@ -32,6 +34,16 @@ struct Display {
     Transfer transfer = Transfer::srgb;
     Adaptation adaptation = Adaptation::none;
     int supersample = 1; ///< each pixel from this many squared, averaged in light: 1, 2
+    Gamut gamut = Gamut::clip;
+    int color_depth_bits = 24; ///< of the framebuffer: 24, or 16 (RGB565)
+    bool dither = false;       ///< ordered dithering to that depth
+};
+
+/// [accuracy]
+struct Accuracy {
+    MethodChoice method;    ///< where neither object nor half says another
+    double tolerance = 0.5; ///< CIEDE2000 that the planner keeps
+    int taps = 8;           ///< wavelengths where a method `reduced` was asked for; the planner finds its own
 };
 
 /// I(d) = 1 / (constant + linear d + quadratic d^2), d in scene units from the lamp. Only point lamps have
@@ -42,9 +54,10 @@ struct Falloff {
 
 /// [lamp.N]
 struct LampSetting {
-    Lamp lamp;           ///< its spectrum at full resolution, where it was found by library, formula or file
-    int key = 0;         ///< its row in Exhibit::atlas
-    double strength = 1; ///< I_source
+    Lamp lamp;                   ///< its spectrum; one of the atlas file is known by its row only
+    bool full_resolution = true; ///< false: found in the atlas file
+    int key = 0;                 ///< its row in Exhibit::atlas
+    double strength = 1;         ///< I_source
     /// A point lamp at x, y, z in scene units (x to the right, y up, z to the visitor), or parallel light
     /// that travels along x, y, z (length 1); neither: where the scene has its lamp of that number.
     std::optional<Vec3> position;
@@ -55,18 +68,22 @@ struct LampSetting {
 
 /// A material in use.
 struct MaterialSetting {
-    Material material; ///< as above
-    int key = 0;       ///< its row in Exhibit::atlas
+    Material material;           ///< as above
+    bool full_resolution = true; ///< as above
+    int key = 0;                 ///< its row in Exhibit::atlas
 };
 
 /// An object of the scene with everything that [object.NAME] may change; defaults come from the scene's kind.
 struct ObjectSetting {
     std::string name;
     MaterialSetting material;
-    std::optional<Method> method; ///< its own method beats the half's and [accuracy]'s
-    /// Ramps: the material at the far end. Their method says what is mixed: `spectral` reflectances,
-    /// `tristimulus` XYZ, `rgb` code values, as a paint program does.
+    std::optional<MethodChoice> method; ///< its own choice beats the half's and [accuracy]'s
+    /// Ramps: the material at the far end. Their method says what is mixed: `rgb` code values, as a paint
+    /// program does, `tristimulus` XYZ, all others reflectances.
     std::optional<MaterialSetting> material_end;
+    /// Glass or liquid: its internal transmittance at thickness 1. The material is what is seen through it.
+    std::optional<MaterialSetting> medium;
+    double thickness = 1;               ///< of the medium where it is thickest
     std::optional<Image> key_map;       ///< R of a pixel = key of its material; power of two, at most 2048
     std::optional<Image> luminance_map; ///< R of a pixel / 255 scales the reflectance
     std::optional<Image> bump_map;      ///< R = height 0 .. 1
@@ -75,11 +92,11 @@ struct ObjectSetting {
     double shininess = 32;              ///< Blinn-Phong exponent, 1 .. 1000
 };
 
-enum class SceneKind { loaf, crayons, still_life, ramp, patches };
+enum class SceneKind { loaf, crayons, still_life, ramp, patches, media, corner };
 
 /// What one half overrides; what it does not override it shares.
 struct Half {
-    std::optional<Method> method;
+    std::optional<MethodChoice> method;
     std::optional<LampSetting> lamp; ///< spectrum for every lamp of the half (only lamp and key count)
     const WorkingSpace* working_space = nullptr; ///< nullptr: the display's
     std::optional<double> strength;              ///< for every lamp of the half
@@ -96,12 +113,13 @@ struct Compare {
 struct Exhibit {
     std::string place; ///< the INI file, for messages
     Display display;
-    Method method = Method::spectral; ///< [accuracy] method
+    Accuracy accuracy;
     SceneKind scene = SceneKind::loaf;
     std::vector<ObjectSetting> objects;
     std::vector<LampSetting> lamps;
     std::optional<Compare> compare;
     Atlas atlas; ///< every lamp and material in use; the file's own rows where [atlas] file names one
+    std::map<int, Material> materials; ///< by key: those whose spectrum is at hand at full resolution
 };
 
 } // namespace metamer

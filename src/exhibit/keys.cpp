@@ -8,6 +8,7 @@
 #include "exhibit/exhibit.h"
 #include "exhibit/scene_kinds.h"
 #include "methods/method.h"
+#include "methods/taps.h"
 
 namespace metamer {
 
@@ -23,6 +24,26 @@ std::vector<std::string> names_of(const Table& table) {
 
 std::vector<std::string> method_names() {
     return names_of(kMethods);
+}
+std::vector<std::string> method_choices() {
+    std::vector<std::string> names = method_names();
+    names.insert(names.begin(), "auto");
+    return names;
+}
+std::vector<std::string> tap_counts() {
+    std::vector<std::string> names;
+    for (const int count : kTapCounts)
+        names.push_back(std::to_string(count));
+    return names;
+}
+std::vector<std::string> gamut_names() {
+    return {"clip", "keep-hue"};
+}
+std::vector<std::string> color_depths() {
+    return {"24", "16"};
+}
+std::vector<std::string> quantization_names() {
+    return names_of(kQuantizations);
 }
 std::vector<std::string> space_names() {
     return names_of(working_spaces());
@@ -49,11 +70,20 @@ constexpr KeyInfo kKeys[] = {
     {"display", "adaptation", choice, "", 0, 0, 1, adaptation_names, "none",
      "bradford: the eye is adapted to the lamp; none: to the display"},
     {"display", "supersample", whole, "", 1, 2, 1, nullptr, "1", "each pixel from this many squared, averaged in light"},
+    {"display", "gamut", choice, "", 0, 0, 1, gamut_names, "clip",
+     "colors that the space does not hold: cut off by component, or brought in at their hue"},
+    {"display", "color_depth", choice, "bits", 0, 0, 1, color_depths, "24", "of the framebuffer; 16 is RGB565"},
+    {"display", "dither", yes_no, "", 0, 0, 1, nullptr, "no", "ordered dithering to that depth: no bands in ramps"},
 
-    {"accuracy", "method", choice, "", 0, 0, 1, method_names, "spectral", "how color is computed where nothing else says so"},
+    {"accuracy", "method", choice, "", 0, 0, 1, method_choices, "auto",
+     "how color is computed where nothing else says so; auto: by the cheapest method within the tolerance"},
+    {"accuracy", "tolerance", number, "CIEDE2000", 0.01, 100, 1, nullptr, "0.5", "error that method auto may make; 1 is just visible"},
+    {"accuracy", "taps", choice, "", 0, 0, 1, tap_counts, "8", "wavelengths of method reduced"},
 
     {"atlas", "file", file, "", 0, 0, 1, nullptr, "none: the atlas is built from what is used",
      "atlas PNG whose lamps and materials are looked up first, by name or key"},
+    {"atlas", "quantization", choice, "", 0, 0, 1, quantization_names, "weighted",
+     "levels of an atlas that is built: weighted keeps sums, thesis rounds each value; a file has its own"},
 
     {"scene", "kind", choice, "", 0, 0, 1, kind_names, "crayons", "what is shown"},
     {"scene", "materials", materials, "", 0, 0, 1, nullptr, "the scene's own",
@@ -71,7 +101,9 @@ constexpr KeyInfo kKeys[] = {
     {"lamp.N", "shadow", yes_no, "", 0, 0, 1, nullptr, "no", "whether objects cast shadows in its light; at most 4 lamps"},
 
     {"object.NAME", "material", material, "", 0, 0, 1, nullptr, "the scene's", "what it is made of (a ramp: at its near end)"},
-    {"object.NAME", "method", choice, "", 0, 0, 1, method_names, "the half's, or [accuracy] method", "how its color is computed; along a ramp also what is mixed: code values, XYZ, reflectances"},
+    {"object.NAME", "method", choice, "", 0, 0, 1, method_choices, "the half's, or [accuracy] method", "how its color is computed; along a ramp also what is mixed: code values, XYZ, reflectances"},
+    {"object.NAME", "medium", material, "", 0, 0, 1, nullptr, "the scene's", "scene media: internal transmittance at thickness 1 of what its material is seen through"},
+    {"object.NAME", "thickness", number, "", 0, 1000, 1, nullptr, "the scene's", "of the medium where it is thickest"},
     {"object.NAME", "key_map", file, "", 0, 0, 1, nullptr, "none",
      "PNG, power-of-two sides up to 2048; red of a pixel = key of its material"},
     {"object.NAME", "luminance_map", file, "", 0, 0, 1, nullptr, "none",
@@ -83,11 +115,11 @@ constexpr KeyInfo kKeys[] = {
 
     {"compare", "split", split, "", 0, 1, 1, nullptr, "0.5", "where the right half begins"},
     {"compare", "line", whole, "px", 0, 64, 1, nullptr, "0", "width of a gray line over the split"},
-    {"compare", "left.method", choice, "", 0, 0, 1, method_names, "[accuracy] method", "how the left half is computed"},
+    {"compare", "left.method", choice, "", 0, 0, 1, method_choices, "[accuracy] method", "how the left half is computed"},
     {"compare", "left.lamp", lamp, "", 0, 0, 1, nullptr, "each lamp's own", "spectrum of every lamp in the left half"},
     {"compare", "left.working_space", choice, "", 0, 0, 1, space_names, "[display] working_space", "RGB space of the left half"},
     {"compare", "left.strength", number, "", 0, 1e6, 1, nullptr, "each lamp's own", "strength of every lamp in the left half"},
-    {"compare", "right.method", choice, "", 0, 0, 1, method_names, "[accuracy] method", "how the right half is computed"},
+    {"compare", "right.method", choice, "", 0, 0, 1, method_choices, "[accuracy] method", "how the right half is computed"},
     {"compare", "right.lamp", lamp, "", 0, 0, 1, nullptr, "each lamp's own", "spectrum of every lamp in the right half"},
     {"compare", "right.working_space", choice, "", 0, 0, 1, space_names, "[display] working_space", "RGB space of the right half"},
     {"compare", "right.strength", number, "", 0, 1e6, 1, nullptr, "each lamp's own", "strength of every lamp in the right half"},

@@ -30,7 +30,7 @@ Exhibit parse_exhibit(std::string_view text, const std::string& place, const std
     Exhibit exhibit;
     exhibit.place = place;
     exhibit.display = load_display(settings);
-    exhibit.method = load_method(settings);
+    exhibit.accuracy = load_accuracy(settings);
     exhibit.scene = load_scene_kind(settings);
     const SceneKindInfo& scene = scene_kind(exhibit.scene);
     Rows rows = load_rows(settings, warnings);
@@ -38,6 +38,7 @@ Exhibit parse_exhibit(std::string_view text, const std::string& place, const std
     exhibit.lamps = load_lamps(settings, scene, rows, place, warnings);
     exhibit.compare = load_compare(settings, exhibit.display, rows);
     exhibit.atlas = rows.atlas();
+    exhibit.materials = rows.full_materials();
     return exhibit;
 }
 

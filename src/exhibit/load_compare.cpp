@@ -22,7 +22,7 @@ void load_split(const Setting& setting, const Display& display, Compare& compare
 Half load_half(const Settings& settings, const std::string& side, Rows& rows) {
     Half half;
     if (const Setting* s = settings.find("compare", side + ".method"))
-        half.method = kMethods[choice(*s)].method;
+        half.method = method_choice(*s);
     if (const Setting* s = settings.find("compare", side + ".lamp"))
         half.lamp = rows.lamp(*s, s->value);
     if (const Setting* s = settings.find("compare", side + ".working_space"))

@@ -92,6 +92,9 @@ std::vector<LampSetting> load_lamps(const Settings& settings, const SceneKindInf
     for (const Settings::Section& section : lamp_sections(settings)) {
         lamps.push_back(load_lamp(settings, section.name, rows, place));
         warn_if_flat(settings, section.name, scene, warnings);
+        if (const Setting* s = settings.find(section.name, "position"); s && scene.parallel)
+            throw refused(*s, "is not for scene " + std::string(scene.name) +
+                                  ", whose walls are lit evenly: give the lamp a direction");
         if (lamps.back().shadow && ++shadows > kMostShadows)
             throw bad_input("read", settings.find(section.name, "shadow")->place,
                             "shadow of a fifth lamp; at most " + std::to_string(kMostShadows) +

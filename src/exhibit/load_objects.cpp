@@ -74,18 +74,34 @@ void load_bump(const ObjectSection& section, ObjectSetting& object) {
     }
 }
 
-void refuse_ramps(const ObjectSection& section, const ObjectSetting& object) {
+void refuse_maps(const ObjectSection& section, const ObjectSetting& object, const SceneKindInfo& scene) {
+    const bool ramp = object.material_end.has_value();
+    const bool plain = scene.kind == SceneKind::media || scene.kind == SceneKind::corner;
     for (const char* key : {"key_map", "luminance_map", "bump"})
-        if (const Setting* s = section.find(key); s && object.material_end)
-            throw refused(*s, "cannot be carried by a ramp");
+        if (const Setting* s = section.find(key); s && (ramp || plain))
+            throw refused(*s, ramp ? "cannot be carried by a ramp"
+                                   : "cannot be carried by the things of scene " + std::string(scene.name));
 }
 
-void change_object(const ObjectSection& section, Rows& rows, ObjectSetting& object) {
-    refuse_ramps(section, object);
+/// Only objects that are of glass or liquid by default have a medium: their shapes know a thickness.
+void load_medium(const ObjectSection& section, Rows& rows, ObjectSetting& object) {
+    for (const char* key : {"medium", "thickness"})
+        if (const Setting* s = section.find(key); s && !object.medium)
+            throw refused(*s, "is for the glass and the liquid of scene media");
+    if (const Setting* s = section.find("medium"))
+        object.medium = rows.material(*s, s->value);
+    if (const Setting* s = section.find("thickness"))
+        object.thickness = number(*s);
+}
+
+void change_object(const ObjectSection& section, const SceneKindInfo& scene, Rows& rows,
+                   ObjectSetting& object) {
+    refuse_maps(section, object, scene);
     if (const Setting* s = section.find("material"))
         object.material = rows.material(*s, s->value);
     if (const Setting* s = section.find("method"))
-        object.method = kMethods[choice(*s)].method;
+        object.method = method_choice(*s);
+    load_medium(section, rows, object);
     if (const Setting* s = section.find("key_map"))
         object.key_map = load_map(*s);
     if (const Setting* s = section.find("luminance_map"))
@@ -141,6 +157,9 @@ ObjectSetting by_default(const ObjectDefault& object, const Palette& palette, Ro
     setting.material = resolve(object.material);
     if (!object.material_end.empty())
         setting.material_end = resolve(object.material_end);
+    if (!object.medium.empty())
+        setting.medium = resolve(object.medium);
+    setting.thickness = object.thickness;
     setting.method = object.method;
     setting.specular = object.specular;
     setting.shininess = object.shininess;
@@ -177,7 +196,7 @@ std::vector<ObjectSetting> load_objects(const Settings& settings, const SceneKin
                 throw bad_input("read", section.place,
                                 "[" + section.name + "] and [" + other->second + "] mean the same object, " +
                                     objects[i].name);
-            change_object({settings, section.name}, rows, objects[i]);
+            change_object({settings, section.name}, scene, rows, objects[i]);
         }
     }
     for (const auto& [i, section] : changed_by)

@@ -16,8 +16,11 @@ namespace metamer {
 /// [display]
 Display load_display(const Settings& settings);
 
-/// [accuracy] method
-Method load_method(const Settings& settings);
+/// [accuracy]
+Accuracy load_accuracy(const Settings& settings);
+
+/// A key whose choices are `auto` and the methods.
+MethodChoice method_choice(const Setting& setting);
 
 /// The rows to start with: those of [atlas] file, or none.
 Rows load_rows(const Settings& settings, std::vector<std::string>* warnings);

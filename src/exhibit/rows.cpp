@@ -27,6 +27,7 @@ LampSetting lamp_of_row(const Atlas& atlas, int key, const std::string& place) {
                   "row " + std::to_string(key) + " of " + place,
                   row.source,
                   {on_grid(emission(atlas, key).value, row.peak), {}}};
+    found.full_resolution = false;
     found.key = key;
     return found;
 }
@@ -37,6 +38,7 @@ MaterialSetting material_of_row(const Atlas& atlas, int key, const std::string& 
              "row " + std::to_string(key) + " of " + place,
              row.source,
              {on_grid(reflectance(atlas, key).value, 1)}},
+            false,
             key};
 }
 
@@ -78,6 +80,7 @@ MaterialSetting Rows::material(const Setting& setting, const std::string& text) 
         MaterialSetting found;
         found.material = find_material(text, setting.folder.string(), &doubts);
         found.key = add_material(atlas_, found.material);
+        full_materials_.emplace(found.key, found.material);
         warn(setting, doubts);
         return found;
     });

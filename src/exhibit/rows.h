@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,7 +20,8 @@ class Rows {
 public:
     /// `warnings` may be nullptr; else it receives one sentence per doubt about a spectrum file, with the
     /// setting's place.
-    explicit Rows(std::vector<std::string>* warnings) : atlas_(empty_atlas()), warnings_(warnings) {}
+    explicit Rows(std::vector<std::string>* warnings, Quantization quantization = Quantization::weighted)
+        : atlas_(empty_atlas(quantization)), warnings_(warnings) {}
     Rows(Atlas file, std::string file_place, std::vector<std::string>* warnings);
 
     /// The lamp that `text` (all or part of the setting's value) names, only `lamp` and `key` filled in.
@@ -30,6 +32,9 @@ public:
     /// The names of the atlas file's materials in the order of their keys; empty without a file.
     std::vector<std::string> file_materials() const;
 
+    /// Materials by key, without those that only the file knows.
+    const std::map<int, Material>& full_materials() const { return full_materials_; }
+
     const Atlas& atlas() const { return atlas_; }
 
 private:
@@ -39,6 +44,7 @@ private:
     Atlas atlas_;
     std::optional<Atlas> file_;
     std::string file_place_;
+    std::map<int, Material> full_materials_;
     std::vector<std::string>* warnings_;
 };
 

@@ -16,6 +16,10 @@ constexpr SceneKindInfo kKinds[] = {
      "crayon-blue, crayon-yellow", 2, 2, true},
     {SceneKind::patches, "patches", "flat patches, one material each, evenly lit", "crayons", 1, kAtlasRows,
      true},
+    {SceneKind::media, "media", "a wedge of colored glass and a liquid in a vessel before a light box",
+     "rgb:FFFFFF", 1, 1, true},
+    {SceneKind::corner, "corner", "two colored walls at right angles that light each other",
+     "crayon-red, crayon-white", 2, 2, false, true},
 };
 
 std::vector<ObjectDefault> pieces(const std::string& word, std::span<const std::string> materials,
@@ -32,15 +36,51 @@ std::vector<ObjectDefault> pieces(const std::string& word, std::span<const std::
 }
 
 std::vector<ObjectDefault> ramps(const std::string& near_end, const std::string& far_end) {
-    return {{"ramp-reflectance", near_end, far_end, Method::spectral},
-            {"ramp-xyz", near_end, far_end, Method::tristimulus},
-            {"ramp-rgb", near_end, far_end, Method::rgb}};
+    const auto ramp = [&](const char* name, MethodChoice method) {
+        ObjectDefault object;
+        object.name = name;
+        object.material = near_end;
+        object.material_end = far_end;
+        object.method = method;
+        return object;
+    };
+    return {ramp("ramp-reflectance", std::nullopt), ramp("ramp-xyz", Method::tristimulus),
+            ramp("ramp-rgb", Method::rgb)};
+}
+
+/// Seen against a light box: a wedge of colored glass above, a liquid in a round vessel below.
+std::vector<ObjectDefault> media(const std::string& ground) {
+    const auto thing = [&](const char* name, const char* medium, double thickness) {
+        ObjectDefault object;
+        object.name = name;
+        object.material = ground;
+        object.medium = medium;
+        object.thickness = thickness;
+        return object;
+    };
+    return {thing("board", "", 0), thing("wedge", "glass-cobalt", 4),
+            thing("vessel", "liquid-allura-red", 2)};
+}
+
+/// Two walls at right angles, each lit by the lamps and by the other.
+std::vector<ObjectDefault> corner(const std::string& left, const std::string& right) {
+    ObjectDefault walls[2];
+    walls[0].name = "left";
+    walls[0].material = left;
+    walls[1].name = "right";
+    walls[1].material = right;
+    return {walls[0], walls[1]};
 }
 
 /// Warm and cool things side by side: no lamp flatters both.
 std::vector<ObjectDefault> still_life() {
     const auto thing = [](const char* name, const char* material, double specular, double shininess) {
-        return ObjectDefault{name, material, "", std::nullopt, specular, shininess};
+        ObjectDefault object;
+        object.name = name;
+        object.material = material;
+        object.specular = specular;
+        object.shininess = shininess;
+        return object;
     };
     return {thing("table", "cc-dark-skin", 0.05, 16),     thing("wall", "cc-neutral-6.5", 0, 32),
             thing("ball", "crayon-white", 0.2, 60),       thing("orange", "crayon-orange", 0.1, 24),
@@ -78,6 +118,10 @@ std::vector<ObjectDefault> scene_objects(SceneKind kind, std::span<const std::st
         return ramps(materials[0], materials[1]);
     case SceneKind::still_life:
         return still_life();
+    case SceneKind::media:
+        return media(materials[0]);
+    case SceneKind::corner:
+        return corner(materials[0], materials[1]);
     }
     return {};
 }

@@ -20,7 +20,8 @@ struct SceneKindInfo {
     std::string_view
         materials; ///< [scene] materials by default: a set, or names with commas between; may be empty
     int fewest = 1, most = kAtlasRows; ///< how many materials it takes
-    bool flat = false; ///< shading is 1 everywhere: a lamp's place, falloff and shadow have no effect
+    bool flat = false;     ///< shading is 1 everywhere: a lamp's place, falloff and shadow have no effect
+    bool parallel = false; ///< its lamps have directions, no positions: planes are lit evenly
 };
 
 std::span<const SceneKindInfo> scene_kinds();
@@ -34,7 +35,9 @@ struct ObjectDefault {
     std::string name;
     std::string material;     ///< as [scene] materials or the library names it
     std::string material_end; ///< ramps: at the far end; else empty
-    std::optional<Method> method;
+    std::string medium;       ///< glass or liquid; else empty
+    double thickness = 1;     ///< of the medium
+    std::optional<MethodChoice> method;
     double specular = 0;
     double shininess = 32;
 };

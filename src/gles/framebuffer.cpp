@@ -47,7 +47,8 @@ void check_size(int width_px, int height_px, bool color_is_texture, bool sampled
 
 Framebuffer::Framebuffer(int width_px, int height_px, DepthBuffer depth, ColorBuffer color)
     : width_px_(width_px), height_px_(height_px), sampled_(color == ColorBuffer::texture) {
-    const bool color_is_texture = sampled_ || !use_gl_extension("GL_OES_rgb8_rgba8");
+    const bool rgb565 = color == ColorBuffer::target_rgb565;
+    const bool color_is_texture = sampled_ || (!rgb565 && !use_gl_extension("GL_OES_rgb8_rgba8"));
     check_size(width_px, height_px, color_is_texture, sampled_);
     GLuint name = 0;
     glGenFramebuffers(1, &name);
@@ -56,7 +57,7 @@ Framebuffer::Framebuffer(int width_px, int height_px, DepthBuffer depth, ColorBu
     if (color_is_texture)
         attach_color_texture();
     else
-        attach_color_renderbuffer();
+        attach_color_renderbuffer(rgb565 ? GL_RGB565 : GL_RGBA8_OES);
     if (depth == DepthBuffer::depth16)
         attach_depth();
     throw_on_gl_error("make", place(width_px, height_px));
@@ -78,12 +79,12 @@ void Framebuffer::attach_color_texture() {
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, name, 0);
 }
 
-void Framebuffer::attach_color_renderbuffer() {
+void Framebuffer::attach_color_renderbuffer(GLenum format) {
     GLuint name = 0;
     glGenRenderbuffers(1, &name);
     color_renderbuffer_ = Handle<&Framebuffer::destroy_renderbuffer>(name);
     glBindRenderbuffer(GL_RENDERBUFFER, name);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8_OES, width_px_, height_px_);
+    glRenderbufferStorage(GL_RENDERBUFFER, format, width_px_, height_px_);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, name);
 }
 

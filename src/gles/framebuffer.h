@@ -11,8 +11,9 @@ namespace metamer {
 
 enum class DepthBuffer { none, depth16 };
 
-/// `target`: only drawn into and read back. `texture`: also sampled afterwards (shadow maps).
-enum class ColorBuffer { target, texture };
+/// `target`: only drawn into and read back; `target_rgb565`: the same with 16 bits a pixel, core ES 2 (OpenGL
+/// ES 2.0.25 table 4.5). `texture`: also sampled afterwards (shadow maps).
+enum class ColorBuffer { target, target_rgb565, texture };
 
 /// An RGBA8 color buffer, with GL_DEPTH_COMPONENT16 if asked for. Move-only.
 class Framebuffer {
@@ -43,7 +44,7 @@ private:
     static void destroy_renderbuffer(GLuint renderbuffer);
     static void destroy_texture(GLuint texture);
     void attach_color_texture();
-    void attach_color_renderbuffer();
+    void attach_color_renderbuffer(GLenum format);
     void attach_depth();
 
     int width_px_, height_px_;

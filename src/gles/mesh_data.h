@@ -9,6 +9,7 @@ namespace metamer {
 
 /// Floats of one vertex: position(3) normal(3) tangent(3) uv(2).
 inline constexpr int kVertexFloats = 11;
+inline constexpr int kUvAt = 9; ///< where uv begins among them
 
 /// The attributes in the order of their locations 0 .. 3, for Program.
 inline constexpr std::array<const char*, 4> kMeshAttributes = {"a_position", "a_normal", "a_tangent", "a_uv"};

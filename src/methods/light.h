@@ -10,11 +10,13 @@
 
 namespace metamer {
 
-/// Shares of a lamp's light: `diffuse` is multiplied with the reflectance, `mirrored` is not.
+/// Shares of a lamp's light: `diffuse` is multiplied with the reflectance, `mirrored` is not, `bounced` with
+/// the reflectance of the wall that it comes from first.
 template <Scalar T>
 struct Light {
     T diffuse = T(1);
     T mirrored = T(0);
+    T bounced = T(0);
 };
 
 /// A lamp's place: position (`directional` false) or unit direction towards the lamp; falloff coefficients.
@@ -39,6 +41,9 @@ inline constexpr double kLeastFalloff = 1e-3;
 /// Vectors shorter than its root are not stretched to unit length: no division by zero, in half either.
 inline constexpr double kLeastLengthSquared = 1e-4;
 
+/// Lamps further away than this are as far as this: the falloff's square stays a number in half too.
+inline constexpr double kMostDistance = 16384;
+
 /// Lambert's cosine law, Blinn-Phong highlights (Blinn 1977), falloff 1 / (c + l d + q d^2); `visible` 0 .. 1
 /// is what the shadow leaves.
 template <Scalar T>
@@ -56,7 +61,7 @@ Light<T> arriving_light(const LampPlace<T>& lamp, const SurfacePoint<T>& p, T vi
         return V{static_cast<T>(a[0] / length), static_cast<T>(a[1] / length), static_cast<T>(a[2] / length)};
     };
     const V ray = lamp.directional ? lamp.at : minus(lamp.at, p.position);
-    const T distance = lamp.directional ? T(0) : root(dot(ray, ray));
+    const T distance = lamp.directional ? T(0) : std::min(root(dot(ray, ray)), static_cast<T>(kMostDistance));
     const V towards_lamp = lamp.directional ? lamp.at : unit(ray);
     const V towards_eye = unit(minus(p.eye, p.position));
     const V half_way = unit({static_cast<T>(towards_lamp[0] + towards_eye[0]),
@@ -70,7 +75,17 @@ Light<T> arriving_light(const LampPlace<T>& lamp, const SurfacePoint<T>& p, T vi
     const T highlight = static_cast<T>(std::pow(static_cast<double>(std::max(dot(p.normal, half_way), T(0))),
                                                 static_cast<double>(p.shininess)));
     const T mirrored = cosine > T(0) ? static_cast<T>(p.specular * highlight) : T(0);
-    return {static_cast<T>(cosine * reach), static_cast<T>(mirrored * reach)};
+    return {static_cast<T>(cosine * reach), static_cast<T>(mirrored * reach), T(0)};
+}
+
+/// The share of a plane's light that reaches a point of another plane at right angles to it, both without end
+/// along their common edge: the form factor of a strip of height 1 seen from `distance` heights off the edge
+/// (Hottel's crossed strings 1954), 1/2 at the edge.
+template <Scalar T>
+T bounce_share(T distance) {
+    return static_cast<T>(T(0.5) - T(0.5) * distance /
+                                       static_cast<T>(std::sqrt(
+                                           static_cast<double>(static_cast<T>(distance * distance + T(1))))));
 }
 
 } // namespace metamer

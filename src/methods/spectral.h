@@ -2,12 +2,15 @@
 // atlas. Twin of shaders_es/spectral.frag, operation by operation.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "color/observer.h"
 #include "color/spectrum.h"
 #include "color/xyz.h"
-#include "methods/light.h"
+#include "methods/pixel.h"
+#include "methods/product.h"
 
 namespace metamer {
 
@@ -19,31 +22,65 @@ struct LitEmission {
     Light<T> light;
 };
 
-/// XYZ at a pixel, summed over the lamps: equations 7.1 and 7.6-7.10, phi_i = (R_i diffuse + mirrored) S_i. A
-/// lamp with k' = 0 must not come here: atlas/atlas_check.h refuses such rows.
+/// What the light passes, on the atlas's rows.
 template <Scalar T>
-BasicXyz<T> spectral(std::span<const LitEmission<T>> lamps, const Reflectance& reflectance,
+struct SpectralLayers {
+    const Reflectance* material;
+    const Reflectance* medium = nullptr;
+    T thickness{};
+    const Reflectance* other = nullptr;
+};
+
+/// What a lamp's light is multiplied with at interval i: equation 7.1 with what stands before and beside it.
+template <Scalar T>
+T filtered(const SpectralLayers<T>& layers, const Light<T>& light, std::size_t i) {
+    T reflected = static_cast<T>(layers.material->value[i]);
+    if (layers.medium) {
+        const T least = static_cast<T>(kLeastTransmittance);
+        const T t = std::max(static_cast<T>(layers.medium->value[i]), least);
+        const T log2 = static_cast<T>(std::log2(static_cast<double>(t)));
+        reflected = static_cast<T>(reflected * exponential(static_cast<T>(log2 * layers.thickness)));
+    }
+    T arriving = light.diffuse;
+    if (layers.other)
+        arriving = static_cast<T>(arriving + light.bounced * static_cast<T>(layers.other->value[i]));
+    return static_cast<T>(reflected * arriving + light.mirrored);
+}
+
+/// k' in the loop may be all but 0 where the 8-bit observer is: below this a lamp is dark instead of
+/// dividing.
+inline constexpr double kLeastK = 1.0 / 4096;
+
+/// XYZ at a pixel, summed over the lamps: equations 7.1 and 7.6-7.10.
+template <Scalar T>
+BasicXyz<T> spectral(std::span<const LitEmission<T>> lamps, const SpectralLayers<T>& layers,
                      const GridObserver& observer) {
     BasicXyz<T> total;
     for (const LitEmission<T>& lamp : lamps) {
         BasicXyz<T> sum;
         T k{};
         for (std::size_t i = 0; i < kIntervals; ++i) {
-            const T s = static_cast<T>(lamp.emission->value[i]), r = static_cast<T>(reflectance.value[i]);
+            const T s = static_cast<T>(lamp.emission->value[i]);
             const T x = static_cast<T>(observer.x[i]), y = static_cast<T>(observer.y[i]),
                     z = static_cast<T>(observer.z[i]);
-            const T phi = static_cast<T>((r * lamp.light.diffuse + lamp.light.mirrored) * s);
+            const T phi = static_cast<T>(filtered(layers, lamp.light, i) * s);
             sum.x = static_cast<T>(sum.x + x * phi);
             sum.y = static_cast<T>(sum.y + y * phi);
             sum.z = static_cast<T>(sum.z + z * phi);
             k = static_cast<T>(k + y * s);
         }
-        const T scale = static_cast<T>(lamp.strength / k);
+        const T scale = static_cast<T>(lamp.strength / std::max(k, static_cast<T>(kLeastK)));
         total.x = static_cast<T>(total.x + scale * sum.x);
         total.y = static_cast<T>(total.y + scale * sum.y);
         total.z = static_cast<T>(total.z + scale * sum.z);
     }
     return total;
+}
+
+template <Scalar T>
+BasicXyz<T> spectral(std::span<const LitEmission<T>> lamps, const Reflectance& reflectance,
+                     const GridObserver& observer) {
+    return spectral(lamps, SpectralLayers<T>{&reflectance}, observer);
 }
 
 } // namespace metamer

@@ -161,20 +161,17 @@ std::vector<std::size_t> greedy(Products& products, std::size_t count) {
     return taps;
 }
 
-// One round of exchange; whether a tap has moved.
-bool exchange(Products& products, std::vector<std::size_t>& taps) {
-    bool moved = false;
-    for (std::size_t& tap : taps) {
-        Span others(products);
-        for (const std::size_t& other : taps)
-            if (&other != &tap)
-                others.add(other);
-        if (const auto best = others.best(); best && *best != tap) {
-            tap = *best;
-            moved = true;
-        }
-    }
-    return moved;
+// Gives up one tap for the best in its place; whether that is another.
+bool exchanged(Products& products, std::vector<std::size_t>& taps, std::size_t which) {
+    Span others(products);
+    for (std::size_t j = 0; j < taps.size(); ++j)
+        if (j != which)
+            others.add(taps[j]);
+    const auto best = others.best();
+    if (!best || *best == taps[which])
+        return false;
+    taps[which] = *best;
+    return true;
 }
 
 } // namespace
@@ -184,8 +181,9 @@ std::vector<std::size_t> search_taps(const TapProblem& problem, std::span<const 
     const Weighed columns = weighed(problem, candidates);
     Products products(columns);
     std::vector<std::size_t> taps = greedy(products, count);
-    for (int round = 0; round < kMostRounds && exchange(products, taps); ++round) {
-    }
+    std::size_t settled = 0;
+    for (std::size_t turn = 0; turn < kMostExchanges && settled < count; ++turn)
+        settled = exchanged(products, taps, turn % count) ? 0 : settled + 1;
     for (std::size_t& tap : taps)
         tap = candidates[tap];
     std::sort(taps.begin(), taps.end());

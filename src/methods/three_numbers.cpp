@@ -35,6 +35,11 @@ double grid_k(const Emission& lamp, const GridObserver& observer) {
     return k;
 }
 
+double packed_scale(const Emission& lamp, double strength, const GridObserver& observer) {
+    const double k = grid_k(lamp, observer);
+    return k > 0 ? strength / k : 0;
+}
+
 Xyz grid_xyz(const Emission& lamp, const Reflectance& material, const GridObserver& observer) {
     Xyz sum;
     for (std::size_t i = 0; i < kIntervals; ++i)

@@ -12,6 +12,9 @@ namespace metamer {
 /// k' of equation 7.9 on the grid: the sum of S y.
 double grid_k(const Emission& lamp, const GridObserver& observer);
 
+/// What method `packed` multiplies a lamp's sums with: strength / k', 0 for a lamp of k' = 0.
+double packed_scale(const Emission& lamp, double strength, const GridObserver& observer);
+
 /// XYZ of a material under a lamp on the grid, Y = 1 for the perfect reflector: equations 7.1, 7.6-7.10 in
 /// double.
 Xyz grid_xyz(const Emission& lamp, const Reflectance& material, const GridObserver& observer);

@@ -13,7 +13,9 @@ Image render_frame(const Exhibit& exhibit) {
     const int scale = exhibit.display.supersample;
     const int width = exhibit.display.width_px * scale, height = exhibit.display.height_px * scale;
     FrameRenderer renderer(exhibit);
-    Framebuffer target(width, height, DepthBuffer::depth16);
+    Framebuffer target(width, height, DepthBuffer::depth16,
+                       exhibit.display.color_depth_bits == 16 ? ColorBuffer::target_rgb565
+                                                              : ColorBuffer::target);
     target.bind();
     renderer.draw(width, height, scale);
     return averaged({width, height, target.read_rgba()}, scale, exhibit.display.transfer);

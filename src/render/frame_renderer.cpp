@@ -2,38 +2,22 @@
 
 #include <GLES2/gl2.h>
 #include <algorithm>
-#include <glm/vec2.hpp>
+#include <glm/geometric.hpp>
+#include <numeric>
 
 #include "gles/check.h"
+#include "gles/precision_probe.h"
+#include "render/tables.h"
 
 namespace metamer {
 
 namespace {
-
-enum Unit { kAtlasUnit, kKeyUnit, kLuminanceUnit, kNormalUnit, kMaterialUnit, kShadowUnit };
 
 /// What stands behind the scene: a dark neutral, against which black things still show.
 constexpr float kBackground = 0.17f;
 
 /// The line over the split: mid gray stands out from dark and bright colors alike.
 constexpr float kLine = 0.55f;
-
-glm::mat3 to_glm(const Matrix3& a) {
-    glm::mat3 out;
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column) // glm counts columns first
-            out[column][row] =
-                static_cast<float>(a.m[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)]);
-    return out;
-}
-
-glm::vec3 to_glm(const std::array<double, 3>& v) {
-    return {v[0], v[1], v[2]};
-}
-
-float row_coordinate(int key) {
-    return (static_cast<float>(key) + 0.5f) / kAtlasSize;
-}
 
 std::vector<Mesh> upload_meshes(const Scene& scene) {
     std::vector<Mesh> meshes;
@@ -42,64 +26,120 @@ std::vector<Mesh> upload_meshes(const Scene& scene) {
     return meshes;
 }
 
+/// What stands in front is drawn first, so that what it hides is not shaded.
+std::vector<std::size_t> front_to_back(const Scene& scene) {
+    std::vector<float> distance;
+    for (const SceneObject& object : scene.objects) {
+        float nearest = std::numeric_limits<float>::max();
+        for (std::size_t v = 0; v + 2 < object.mesh.vertices.size(); v += kVertexFloats)
+            nearest =
+                std::min(nearest, glm::distance(scene.camera.eye, glm::vec3(object.mesh.vertices[v],
+                                                                            object.mesh.vertices[v + 1],
+                                                                            object.mesh.vertices[v + 2])));
+        distance.push_back(nearest);
+    }
+    std::vector<std::size_t> order(scene.objects.size());
+    std::iota(order.begin(), order.end(), 0u);
+    if (!scene.camera.flat)
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::size_t a, std::size_t b) { return distance[a] < distance[b]; });
+    return order;
+}
+
 void clear_gray(float gray, GLbitfield what) {
     glClearColor(gray, gray, gray, 1);
     glClear(what);
 }
 
-// Materials mixed in code values: what a paint program does with two colors.
-std::array<double, 3> codes(const std::array<double, 3>& linear, Transfer transfer) {
-    return {encode(transfer, linear[0]), encode(transfer, linear[1]), encode(transfer, linear[2])};
+Texture upload(const Image& image) {
+    return {image.width, image.height, image.rgba, {Filter::nearest, Wrap::clamp, false}};
 }
 
 } // namespace
 
-Surface surface_of(const ObjectSetting& object, Method method) {
-    if (object.material_end)
-        return method == Method::rgb ? Surface::ramp_codes : Surface::ramp;
-    return has_maps(object) ? Surface::maps : Surface::plain;
+int measured_bits() {
+    GLint range[2] = {}, bits = 0;
+    glGetShaderPrecisionFormat(GL_FRAGMENT_SHADER, GL_HIGH_FLOAT, range, &bits);
+    return measured_fragment_bits(bits > 0 ? Precision::highp : Precision::mediump);
 }
 
-FrameRenderer::FrameRenderer(const Exhibit& exhibit)
+FrameRenderer::FrameRenderer(const Exhibit& exhibit, DrawStyle style)
+    : FrameRenderer(exhibit, plan_exhibit(exhibit, ExhibitSpectra(exhibit), measured_bits()), style) {}
+
+FrameRenderer::FrameRenderer(const Exhibit& exhibit, Plan plan, DrawStyle style)
     : exhibit_(exhibit),
+      style_(style),
+      spectra_(exhibit),
+      plan_(std::move(plan)),
       scene_(build_scene(exhibit)),
       meshes_(upload_meshes(scene_)),
-      atlas_(kAtlasSize, kAtlasSize, exhibit.atlas.rgba, {Filter::nearest, Wrap::clamp, false}),
+      front_to_back_(front_to_back(scene_)),
       maps_(upload_maps()),
-      halves_(load_halves()),
-      shadows_(halves_.front().view.lamps, scene_, meshes_) {}
+      shadows_(lamp_places(), scene_, meshes_) {
+    prepare();
+}
 
 std::vector<std::optional<SurfaceMaps>> FrameRenderer::upload_maps() const {
     std::vector<std::optional<SurfaceMaps>> maps;
     for (const SceneObject& object : scene_.objects) {
         maps.emplace_back();
-        if (has_maps(*object.setting))
+        if (surface_of(exhibit_, *object.setting, Method::folded) == Surface::maps)
             maps.back().emplace(*object.setting);
     }
     return maps;
 }
 
-std::vector<FrameRenderer::Half> FrameRenderer::load_halves() const {
-    std::vector<Half> halves;
-    for (HalfView& view : half_views(exhibit_, scene_)) {
-        halves.push_back({std::move(view), {}});
-        Half& half = halves.back();
-        for (const SceneObject& object : scene_.objects) {
-            const Method method = method_of(exhibit_, half.view.half, *object.setting);
-            if (method == Method::spectral || surface_of(*object.setting, method) != Surface::maps ||
-                half.material_maps.contains(method))
-                continue;
-            const Image map = material_map(method, exhibit_.atlas, half.view.output);
-            half.material_maps.emplace(
-                method, Texture(map.width, map.height, map.rgba, {Filter::nearest, Wrap::clamp, false}));
+// Of the lamps that cast shadows.
+std::vector<glm::vec4> FrameRenderer::lamp_places() const {
+    std::vector<glm::vec4> places;
+    for (const HalfLamp& lamp : plan_.halves.front().view.lamps)
+        if (lamp.shadow)
+            places.push_back(lamp_place(exhibit_, lamp, scene_));
+    return places;
+}
+
+void FrameRenderer::update() {
+    plan_ = plan_exhibit(exhibit_, spectra_, plan_.fragment_bits);
+    prepare();
+}
+
+void FrameRenderer::prepare() {
+    halves_.clear();
+    for (const HalfPlan& plan : plan_.halves) {
+        Half& half = halves_.emplace_back();
+        half.draws = half_draws(exhibit_, spectra_, plan, scene_, shadows_.tiles(), style_);
+        for (const Draw& draw : half.draws.objects) {
+            Prepared& object = half.objects.emplace_back();
+            object.program = &programs_.get(draw.variant);
+            if (draw.material_map)
+                object.material_map = upload(*draw.material_map);
+            if (draw.tap_table)
+                object.tap_table = upload(*draw.tap_table);
         }
     }
-    return halves;
+    upload_atlases();
+    drawn_ = {};
+}
+
+// Only what some object reads.
+void FrameRenderer::upload_atlases() {
+    const auto drawn_by = [&](Method method) {
+        return std::any_of(halves_.begin(), halves_.end(),
+                           [&](const Half& half) { return half.draws.lamps.contains(method); });
+    };
+    if (drawn_by(Method::spectral))
+        atlas_.emplace(kAtlasSize, kAtlasSize, exhibit_.atlas.rgba,
+                       Sampling{Filter::nearest, Wrap::clamp, false});
+    if (drawn_by(Method::packed))
+        packed_ = upload(packed_atlas(exhibit_.atlas));
+    if (exhibit_.display.dither && !dither_)
+        dither_ = upload(dither_table());
 }
 
 void FrameRenderer::draw(int width_px, int height_px, int scale) {
     glViewport(0, 0, width_px, height_px);
     glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_DITHER); // on by default, and each driver does as it likes
     glEnable(GL_DEPTH_TEST);
     clear_gray(kBackground, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const View view = view_of(scene_.camera, static_cast<double>(width_px) / height_px);
@@ -115,90 +155,45 @@ void FrameRenderer::draw(int width_px, int height_px, int scale) {
     draw_split_line(split, height_px, scale);
     glDisable(GL_SCISSOR_TEST);
     throw_on_gl_error("draw", "the frame");
+    drawn_ = {width_px, height_px, scale};
+}
+
+bool FrameRenderer::draw_if_changed(int width_px, int height_px, int scale) {
+    if (drawn_ == std::array{width_px, height_px, scale})
+        return false;
+    draw(width_px, height_px, scale);
+    return true;
 }
 
 void FrameRenderer::draw_half(const Half& half, const View& view) {
-    atlas_.bind(kAtlasUnit);
     shadows_.bind(kShadowUnit);
-    for (std::size_t i = 0; i < meshes_.size(); ++i)
-        draw_object(half, view, i);
-}
-
-void FrameRenderer::draw_object(const Half& half, const View& view, std::size_t object) {
-    const ObjectSetting& setting = *scene_.objects[object].setting;
-    const Method method = method_of(exhibit_, half.view.half, setting);
-    const Surface surface = surface_of(setting, method);
-    const Program& program = programs_.get({.method = method,
-                                            .lamps = static_cast<int>(half.view.lamps.size()),
-                                            .lit = scene_.lit,
-                                            .shadows = half.view.shadows,
-                                            .surface = surface,
-                                            .transfer = half.view.output.transfer});
-    program.use();
-    program.set("u_clip_from_world", view.clip_from_world);
-    program.set("u_eye", view.eye);
-    program.set("u_mirror", glm::vec2(setting.specular, setting.shininess));
-    program.set("u_rgb_from_xyz", to_glm(half.view.output.adapted_rgb_from_xyz()));
-    program.set("u_atlas", kAtlasUnit);
-    set_lamps(program, half, method);
-    set_material(program, half, method, setting);
-    if (surface == Surface::maps) {
-        maps_[object]->bind(kKeyUnit, kLuminanceUnit, kNormalUnit);
-        if (method != Method::spectral)
-            half.material_maps.at(method).bind(kMaterialUnit);
+    if (dither_)
+        dither_->bind(kDitherUnit);
+    const Program* current = nullptr;
+    for (const std::size_t i : front_to_back_) {
+        const Prepared& object = half.objects[i];
+        const Draw& draw = half.draws.objects[i];
+        const Method method = draw.variant.method;
+        if (object.program != current) {
+            current = object.program;
+            current->use();
+            current->set("u_clip_from_world", view.clip_from_world);
+            current->set("u_eye", view.eye);
+            set_uniforms(*current, half.draws.lamps.at(method));
+            if (method == Method::spectral)
+                atlas_->bind(kAtlasUnit);
+            if (method == Method::packed)
+                packed_->bind(kAtlasUnit);
+        }
+        set_uniforms(*current, draw.uniforms);
+        if (maps_[i])
+            maps_[i]->bind(kKeyUnit, kLuminanceUnit, kNormalUnit);
+        if (object.material_map)
+            object.material_map->bind(kMaterialUnit);
+        if (object.tap_table)
+            object.tap_table->bind(kTapUnit);
+        meshes_[i].draw();
     }
-    meshes_[object].draw();
-}
-
-void FrameRenderer::set_lamps(const Program& program, const Half& half, Method method) const {
-    std::vector<glm::vec4> places;
-    std::vector<glm::vec3> falloffs, colors;
-    std::vector<glm::vec2> rows;
-    const GridObserver seen_by = observer(exhibit_.atlas);
-    for (const HalfLamp& lamp : half.view.lamps) {
-        places.push_back(lamp.place);
-        falloffs.emplace_back(lamp.falloff.constant, lamp.falloff.linear, lamp.falloff.quadratic);
-        rows.emplace_back(row_coordinate(lamp.key), lamp.strength);
-        colors.push_back(static_cast<float>(lamp.strength) *
-                         to_glm(lamp_numbers(method, lamp.emission, seen_by, half.view.output)));
-    }
-    program.set("u_lamp_place", places);
-    program.set("u_lamp_falloff", falloffs);
-    program.set("u_lamp_row", rows);
-    program.set("u_lamp_color", colors);
-    std::vector<glm::mat4> views;
-    std::vector<glm::vec4> depths;
-    std::vector<glm::vec2> corners;
-    for (const ShadowTile& tile : shadows_.tiles()) {
-        views.push_back(tile.shadow_from_world);
-        depths.push_back(tile.depth_from_world);
-        corners.push_back(tile.corner);
-    }
-    program.set("u_shadow_from_world", views);
-    program.set("u_depth_from_world", depths);
-    program.set("u_shadow_tile", corners);
-    program.set("u_shadow_map", kShadowUnit);
-}
-
-void FrameRenderer::set_material(const Program& program, const Half& half, Method method,
-                                 const ObjectSetting& object) const {
-    const MaterialSetting& begin = object.material;
-    const MaterialSetting& end = object.material_end ? *object.material_end : begin;
-    program.set("u_material_row", glm::vec2(row_coordinate(begin.key), row_coordinate(end.key)));
-    program.set("u_key_map", kKeyUnit);
-    program.set("u_luminance_map", kLuminanceUnit);
-    program.set("u_normal_map", kNormalUnit);
-    program.set("u_material_map", kMaterialUnit);
-    if (method == Method::spectral)
-        return;
-    const bool as_codes = surface_of(object, method) == Surface::ramp_codes;
-    const auto numbers = [&](const MaterialSetting& material) {
-        const auto linear = material_numbers(method, reflectance(exhibit_.atlas, material.key),
-                                             observer(exhibit_.atlas), half.view.output);
-        return to_glm(as_codes ? codes(linear, half.view.output.transfer) : linear);
-    };
-    program.set("u_material", numbers(begin));
-    program.set("u_material_end", numbers(end));
 }
 
 void FrameRenderer::draw_split_line(int split_px, int height_px, int scale) const {

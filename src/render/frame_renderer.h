@@ -8,7 +8,7 @@
 #include "exhibit/exhibit.h"
 #include "gles/mesh.h"
 #include "gles/texture.h"
-#include "render/half_view.h"
+#include "render/draws.h"
 #include "render/programs.h"
 #include "render/scene.h"
 #include "render/shadow_maps.h"
@@ -19,40 +19,60 @@ namespace metamer {
 /// Needs a current ES 2 context, made before and destroyed after it. The exhibit must live as long.
 class FrameRenderer {
 public:
-    /// Uploads meshes, maps and atlas, and draws the shadow maps. Throws failure where GL refuses.
-    explicit FrameRenderer(const Exhibit& exhibit);
+    /// Measures what the fragment shaders compute with, plans, uploads, and draws the shadow maps. Throws
+    /// failure where GL refuses, bad_input where the exhibit cannot be planned.
+    explicit FrameRenderer(const Exhibit& exhibit, DrawStyle style = {});
+    /// The same with a plan already made.
+    FrameRenderer(const Exhibit& exhibit, Plan plan, DrawStyle style = {});
 
     /// Draws the frame, both halves, into the bound framebuffer of this size; `scale` multiplies everything
     /// that is given in pixels (supersampling).
     void draw(int width_px, int height_px, int scale = 1);
 
+    /// Takes over what a visitor changed in the exhibit's lamps (spectrum, strength; not their number, places
+    /// or shadows), methods or tolerance: plans again and uploads what follows. draw_if_changed() draws then.
+    void update();
+
+    /// Draws only where update() or another size made the last frame stale. Returns whether it drew.
+    bool draw_if_changed(int width_px, int height_px, int scale = 1);
+
+    const Plan& plan() const { return plan_; }
+
 private:
-    /// One half with the textures that are its own.
+    /// An object's program and textures.
+    struct Prepared {
+        const Program* program;
+        std::optional<Texture> material_map, tap_table;
+    };
     struct Half {
-        HalfView view;
-        std::map<Method, Texture> material_maps; ///< for product methods on objects with maps
+        HalfDraws draws;
+        std::vector<Prepared> objects;
     };
 
+    void prepare();
+    void upload_atlases();
     void draw_half(const Half& half, const View& view);
-    void draw_object(const Half& half, const View& view, std::size_t object);
-    void set_lamps(const Program& program, const Half& half, Method method) const;
-    void set_material(const Program& program, const Half& half, Method method,
-                      const ObjectSetting& object) const;
     void draw_split_line(int split_px, int height_px, int scale) const;
-    std::vector<Half> load_halves() const;
+    std::vector<glm::vec4> lamp_places() const;
     std::vector<std::optional<SurfaceMaps>> upload_maps() const;
 
     const Exhibit& exhibit_;
+    DrawStyle style_;
+    ExhibitSpectra spectra_;
+    Plan plan_;
     Scene scene_;
     std::vector<Mesh> meshes_;
-    Texture atlas_;
+    std::vector<std::size_t> front_to_back_;
     std::vector<std::optional<SurfaceMaps>> maps_;
-    std::vector<Half> halves_;
     ShadowMaps shadows_; ///< of both halves: they differ in light, not in lamps' places
     Programs programs_;
+    std::optional<Texture> atlas_, packed_, dither_;
+    std::vector<Half> halves_;
+    std::array<int, 3> drawn_{}; ///< width, height, scale of the last frame; 0: stale
 };
 
-/// How an object tells its material to a shader of this method.
-Surface surface_of(const ObjectSetting& object, Method method);
+/// What the fragment shaders of the current context compute with, in mantissa bits: measured, as drivers
+/// report wishes.
+int measured_bits();
 
 } // namespace metamer

@@ -11,6 +11,12 @@
 
 namespace metamer {
 
+int split_column(const Compare& compare, int width_px) {
+    const int column =
+        compare.split_px ? *compare.split_px : static_cast<int>(std::lround(compare.split * width_px));
+    return std::clamp(column, 0, width_px);
+}
+
 Scene build_scene(const Exhibit& exhibit) {
     switch (exhibit.scene) {
     case SceneKind::loaf:
@@ -21,6 +27,10 @@ Scene build_scene(const Exhibit& exhibit) {
         return build_still_life(exhibit);
     case SceneKind::ramp:
         return build_ramp(exhibit);
+    case SceneKind::media:
+        return build_media(exhibit);
+    case SceneKind::corner:
+        return build_corner(exhibit);
     case SceneKind::patches:
         break;
     }

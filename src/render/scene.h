@@ -34,6 +34,9 @@ struct Scene {
         lamp_directions; ///< towards lamp 1, 2, ... where the INI says nothing; kMostLamps of them
 };
 
+/// The column where the right half begins, 0 .. width_px.
+int split_column(const Compare& compare, int width_px);
+
 /// Builds the scene of the exhibit's kind.
 Scene build_scene(const Exhibit& exhibit);
 

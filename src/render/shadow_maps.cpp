@@ -47,12 +47,10 @@ ShadowTile shadow_view(const glm::vec4& place, const glm::vec3& center, float ra
             {}};
 }
 
-ShadowMaps::ShadowMaps(std::span<const HalfLamp> lamps, const Scene& scene, std::span<const Mesh> meshes) {
-    for (const HalfLamp& lamp : lamps) {
-        if (!lamp.shadow)
-            break;
+ShadowMaps::ShadowMaps(std::span<const glm::vec4> places, const Scene& scene, std::span<const Mesh> meshes) {
+    for (const glm::vec4& place : places) {
         const auto i = tiles_.size();
-        tiles_.push_back(shadow_view(lamp.place, scene.center, scene.radius));
+        tiles_.push_back(shadow_view(place, scene.center, scene.radius));
         tiles_.back().corner = {0.5f * static_cast<float>(i % 2), 0.5f * static_cast<float>(i / 2)};
     }
     if (tiles_.empty())

@@ -9,7 +9,7 @@
 
 #include "gles/framebuffer.h"
 #include "gles/mesh.h"
-#include "render/half_view.h"
+#include "render/scene.h"
 
 namespace metamer {
 
@@ -27,9 +27,9 @@ ShadowTile shadow_view(const glm::vec4& place, const glm::vec3& center, float ra
 /// The texture and its tiles. Move-only, needs a context; leaves the GL state of saved_state.h as it was.
 class ShadowMaps {
 public:
-    /// Draws `meshes` for the first lamps, those with shadow = true; none makes an empty object that binds
-    /// nothing.
-    ShadowMaps(std::span<const HalfLamp> lamps, const Scene& scene, std::span<const Mesh> meshes);
+    /// Draws `meshes` for lamps at these places (position, w = 1; direction towards the lamp, w = 0), at most
+    /// kMostShadows; none makes an empty object that binds nothing.
+    ShadowMaps(std::span<const glm::vec4> places, const Scene& scene, std::span<const Mesh> meshes);
 
     void bind(int unit) const;
     std::span<const ShadowTile> tiles() const { return tiles_; }

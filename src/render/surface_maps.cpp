@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/variants.h"
-
 namespace metamer {
 
 namespace {
@@ -65,22 +63,6 @@ Image normal_map(const Image& heights, double height) {
     return out;
 }
 
-Image material_map(Method method, const Atlas& atlas, const OutputSpace& output) {
-    Image out{2, kAtlasSize, std::vector<std::uint8_t>(2 * kAtlasSize * 4, 255)};
-    const GridObserver seen_by = observer(atlas);
-    for (int key = 1; key <= kAtlasRows; ++key) {
-        const auto numbers = material_numbers(method, reflectance(atlas, key), seen_by, output);
-        for (std::size_t c = 0; c < 3; ++c) {
-            const double share = std::clamp((numbers[c] - kMaterialMapLeast) / kMaterialMapSpan, 0.0, 1.0);
-            const auto code = static_cast<unsigned>(std::lround(share * 65535));
-            auto* row = &out.rgba[static_cast<std::size_t>(key) * 8];
-            row[c] = static_cast<std::uint8_t>(code >> 8);
-            row[4 + c] = static_cast<std::uint8_t>(code & 255);
-        }
-    }
-    return out;
-}
-
 SurfaceMaps::SurfaceMaps(const ObjectSetting& object)
     : keys_(upload(key_image(object), Filter::nearest)),
       luminance_(upload(luminance_image(object), Filter::linear)),
@@ -90,10 +72,6 @@ void SurfaceMaps::bind(int key_unit, int luminance_unit, int normal_unit) const 
     keys_.bind(key_unit);
     luminance_.bind(luminance_unit);
     normals_.bind(normal_unit);
-}
-
-bool has_maps(const ObjectSetting& object) {
-    return object.key_map || object.luminance_map || object.bump_map;
 }
 
 } // namespace metamer

@@ -5,7 +5,6 @@
 
 #include "exhibit/exhibit.h"
 #include "gles/texture.h"
-#include "methods/pair.h"
 
 namespace metamer {
 
@@ -13,10 +12,6 @@ namespace metamer {
 /// central differences, wrapping at the edges; `height` is that of white over black in units of the map's
 /// width.
 Image normal_map(const Image& heights, double height);
-
-/// The three numbers of every material of the atlas for a product method, as 2 x 64 texels: high and low byte
-/// of a 16-bit code over kMaterialMapLeast .. + kMaterialMapSpan, clamped to it.
-Image material_map(Method method, const Atlas& atlas, const OutputSpace& output);
 
 /// Needs a context. Move-only.
 class SurfaceMaps {
@@ -27,8 +22,5 @@ public:
 private:
     Texture keys_, luminance_, normals_;
 };
-
-/// Whether an object needs Surface::maps.
-bool has_maps(const ObjectSetting& object);
 
 } // namespace metamer

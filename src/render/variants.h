@@ -5,26 +5,45 @@
 #include <compare>
 #include <vector>
 
-#include "color/transfer.h"
 #include "gles/shader_source.h"
 #include "methods/method.h"
+#include "plan/object_pixels.h"
 
 namespace metamer {
 
-/// How a surface tells its material: one key; maps of keys, luminance and normals; a ramp between two
-/// materials, mixed linearly; a ramp mixed in code values (method rgb only).
-enum class Surface { plain, maps, ramp, ramp_codes };
+/// How light becomes a code value in the framebuffer.
+enum class OutputCurve {
+    none,     ///< code values are light
+    srgb,     ///< the polynomial of color/transfer.h
+    srgb_pow, ///< the standard's own formula: what everybody writes, and what charts compare with
+};
+
+struct OutputStage {
+    OutputCurve curve = OutputCurve::srgb;
+    bool keep_hue = false; ///< color/gamut.h
+    bool dither = false;
+    auto operator<=>(const OutputStage&) const = default;
+};
 
 /// Everything that makes one program differ from another.
 struct Variant {
     Method method = Method::spectral;
-    int lamps = 1;   ///< 1 .. kMostLamps
-    bool lit = true; ///< false: I_shading = 1 everywhere (patches, ramps)
-    int shadows = 0; ///< of the first lamps, 0 .. min(lamps, kMostShadows)
+    int lamps = 1;       ///< 1 .. kMostLamps
+    bool lit = true;     ///< false: I_shading = 1 everywhere (patches, ramps, media)
+    bool mirrors = true; ///< false: nothing is mirrored, no highlight is computed; false where not lit
+    int shadows = 0;     ///< of the first lamps, 0 .. min(lamps, kMostShadows)
     Surface surface = Surface::plain;
-    Transfer transfer = Transfer::srgb;
+    int taps = 0; ///< of method reduced: in uniforms; 0: any number from a texture
+    OutputStage output = {};
     auto operator<=>(const Variant&) const = default;
 };
+
+/// How many taps the program of a variant takes in uniforms; 0: they come from a texture. ES 2's floor of 16
+/// vectors has room for 8 beside one lamp's light, for 12 where nothing else is needed (unlit).
+int taps_in_uniforms(int taps, int lamps, bool lit);
+
+/// Lamps that a program knows apart: without shading, `folded` and `reduced` know one, the sum of all.
+int lamps_apart(Method method, int lamps, bool lit);
 
 /// Side of one lamp's tile in the shadow map, which holds 2 x 2 of them.
 inline constexpr int kShadowTilePx = 1024;
@@ -36,10 +55,17 @@ inline constexpr double kShadowLift = 0.012, kShadowBias = 0.0015;
 /// The texture of materials that product methods read by key: code 0 .. 65535 is kMaterialMapLeast .. + Span.
 inline constexpr double kMaterialMapLeast = -0.5, kMaterialMapSpan = 2.0;
 
+/// Columns of the texture of packed wavelengths and its rows: observer 0 .. 2, lamps 64 + key, materials 128
+/// + key.
+inline constexpr int kPackedColumns = 16, kPackedRows = 256;
+
+/// Side of the texture of taps.
+inline constexpr int kTapTableSize = 32;
+
 /// Its files and defines.
 ShaderVariant shader_variant(const Variant& variant);
 
-/// Every variant that a frame may ask for.
+/// Every variant that a frame may ask for with the common output; and, for one lamp, with every output.
 std::vector<Variant> all_variants();
 
 /// The same as files and defines, the shadow pass with them.

@@ -1,10 +1,14 @@
 #include "color/transfer.h"
 
+#include <bit>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <limits>
 
 namespace metamer {
 namespace {
+
+__extension__ typedef _Float16 Float16;
 
 // IEC 61966-2-1: the published pairs of the curve.
 TEST(Transfer, SrgbKnowsItsFixedPoints) {
@@ -42,6 +46,34 @@ TEST(Transfer, FloatTwinIsTheSameStep) {
         const auto b = encode_rgb8(Transfer::srgb, BasicLinearRgb<float>{f, f, f});
         EXPECT_LE(std::abs(a.r - b.r), 1) << v;
     }
+}
+
+// Every half between 0 and 1 is tried, by its bits; the exact curve is taken at the very same light.
+template <class T>
+double worst_steps_of_polynomial() {
+    double worst = 0;
+    for (int bits = 0; bits <= 0x3c00; ++bits) {
+        const auto half = std::bit_cast<Float16>(static_cast<std::uint16_t>(bits));
+        const double v = static_cast<double>(half);
+        const auto code = static_cast<double>(encode_by_polynomial(static_cast<T>(half)));
+        worst = std::max(worst, 255 * std::abs(code - encode(Transfer::srgb, v)));
+    }
+    return worst;
+}
+
+TEST(Transfer, PolynomialIsWithinHalfAStepOfTheCurve) {
+    EXPECT_LE(worst_steps_of_polynomial<double>(), 0.24);
+    EXPECT_LE(worst_steps_of_polynomial<float>(), 0.24);
+    EXPECT_LE(worst_steps_of_polynomial<Float16>(), 0.5);
+}
+
+TEST(Transfer, PolynomialKeepsBlackWhiteAndOrder) {
+    EXPECT_EQ(encode_by_polynomial(0.0), 0);
+    EXPECT_NEAR(encode_by_polynomial(1.0), 1, 0.2 / 255);
+    EXPECT_EQ(encode_by_polynomial(-1.0), 0);
+    EXPECT_EQ(encode_by_polynomial(7.0), encode_by_polynomial(1.0));
+    for (int i = 1; i <= 65536; ++i)
+        EXPECT_GE(encode_by_polynomial(i / 65536.0), encode_by_polynomial((i - 1) / 65536.0)) << i;
 }
 
 } // namespace

@@ -1,31 +1,25 @@
-#include "render/half_view.h"
+#include "plan/half_view.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "exhibit/scene_kinds.h"
 #include "methods/three_numbers.h"
 
 namespace metamer {
 
 namespace {
 
-glm::vec4 place_of(const LampSetting& lamp, const glm::vec3& scene_direction) {
-    if (lamp.position)
-        return {(*lamp.position)[0], (*lamp.position)[1], (*lamp.position)[2], 1};
-    if (lamp.direction) // light travels along it, shaders look back towards the lamp
-        return {-(*lamp.direction)[0], -(*lamp.direction)[1], -(*lamp.direction)[2], 0};
-    return {scene_direction, 0};
-}
-
-std::vector<HalfLamp> lamps_of(const Exhibit& exhibit, const Half* half, const Scene& scene) {
+std::vector<HalfLamp> lamps_of(const Exhibit& exhibit, const Half* half) {
+    const bool lit = !scene_kind(exhibit.scene).flat;
     std::vector<HalfLamp> lamps;
     for (std::size_t i = 0; i < exhibit.lamps.size(); ++i) {
-        const LampSetting& lamp = exhibit.lamps[i];
-        const int key = half && half->lamp ? half->lamp->key : lamp.key;
-        const double strength = half && half->strength ? *half->strength : lamp.strength;
-        lamps.push_back({key, emission(exhibit.atlas, key), strength,
-                         place_of(lamp, scene.lamp_directions.at(i)), lamp.falloff,
-                         lamp.shadow && scene.lit});
+        const LampSetting& own = exhibit.lamps[i];
+        const LampSetting& lamp = half && half->lamp ? *half->lamp : own;
+        lamps.push_back({i, lamp.lamp.name, lamp.key, emission(exhibit.atlas, lamp.key), std::nullopt,
+                         half && half->strength ? *half->strength : own.strength, own.shadow && lit});
+        if (lamp.full_resolution)
+            lamps.back().full = reference_lamp(lamp.lamp.spectrum);
     }
     std::stable_sort(lamps.begin(), lamps.end(),
                      [](const auto& a, const auto& b) { return a.shadow > b.shadow; });
@@ -44,10 +38,14 @@ Matrix3 adaptation_to(const std::vector<HalfLamp>& lamps, const GridObserver& ob
     return bradford((1 / light.y) * light, to_xyz(*xyz_from_rgb, {1, 1, 1}));
 }
 
-HalfView view_for(const Exhibit& exhibit, const Half* half, const Scene& scene) {
+HalfView view_for(const Exhibit& exhibit, const Half* half) {
     HalfView view;
     view.half = half;
-    view.lamps = lamps_of(exhibit, half, scene);
+    view.lamps = lamps_of(exhibit, half);
+    view.dominant = static_cast<std::size_t>(
+        std::max_element(view.lamps.begin(), view.lamps.end(),
+                         [](const HalfLamp& a, const HalfLamp& b) { return a.strength < b.strength; }) -
+        view.lamps.begin());
     view.shadows = static_cast<int>(std::count_if(view.lamps.begin(), view.lamps.end(),
                                                   [](const HalfLamp& lamp) { return lamp.shadow; }));
     const Display& display = exhibit.display;
@@ -63,23 +61,23 @@ HalfView view_for(const Exhibit& exhibit, const Half* half, const Scene& scene) 
 
 } // namespace
 
-int split_column(const Compare& compare, int width_px) {
-    const int column =
-        compare.split_px ? *compare.split_px : static_cast<int>(std::lround(compare.split * width_px));
-    return std::clamp(column, 0, width_px);
-}
-
-Method method_of(const Exhibit& exhibit, const Half* half, const ObjectSetting& object) {
+MethodChoice choice_of(const Exhibit& exhibit, const Half* half, const ObjectSetting& object) {
     if (object.method)
         return *object.method;
-    return half && half->method ? *half->method : exhibit.method;
+    return half && half->method ? *half->method : exhibit.accuracy.method;
 }
 
-std::vector<HalfView> half_views(const Exhibit& exhibit, const Scene& scene) {
+std::vector<HalfView> half_views(const Exhibit& exhibit) {
     if (!exhibit.compare)
-        return {view_for(exhibit, nullptr, scene)};
-    return {view_for(exhibit, &exhibit.compare->left, scene),
-            view_for(exhibit, &exhibit.compare->right, scene)};
+        return {view_for(exhibit, nullptr)};
+    return {view_for(exhibit, &exhibit.compare->left), view_for(exhibit, &exhibit.compare->right)};
+}
+
+Pixel pixel_of(const HalfView& view) {
+    Pixel pixel;
+    for (const HalfLamp& lamp : view.lamps)
+        pixel.lamps.push_back({&lamp.emission, lamp.full ? &*lamp.full : nullptr, lamp.strength, {}});
+    return pixel;
 }
 
 } // namespace metamer

@@ -1,0 +1,216 @@
+#include "plan/planner.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "base/error.h"
+#include "color/difference.h"
+#include "exhibit/scene_kinds.h"
+#include "plan/cost.h"
+
+namespace metamer {
+
+namespace {
+
+struct Candidate {
+    Method method;
+    int taps = 0;
+    double cost = 0;
+};
+
+/// An object in a half with what every candidate is tried on.
+struct Task {
+    const Exhibit& exhibit;
+    const ObjectSetting& object;
+    const HalfView& view;
+    const ExhibitSpectra& spectra;
+    int fragment_bits;
+    std::vector<NamedPixel> pixels;
+    std::vector<Xyz> exact;
+};
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, value < 0.01 ? "%.1g" : "%.2f", value);
+    return text;
+}
+
+Pixel thickest(const Task& task) {
+    Pixel pixel = pixel_of(task.view);
+    const Pixel& sample = task.pixels.back().pixel;
+    pixel.material = sample.material;
+    pixel.medium = sample.medium;
+    pixel.thickness = task.object.thickness;
+    pixel.other = sample.other;
+    return pixel;
+}
+
+/// The taps of an object that carries maps serve any of its materials.
+Taps taps_of(const Task& task, int count) {
+    Pixel pixel = thickest(task);
+    if (surface_of(task.exhibit, task.object, Method::reduced) != Surface::maps && !task.object.material_end)
+        return taps_for(pixel, count);
+    std::vector<std::vector<double>> own;
+    for (const NamedPixel& sample : task.pixels)
+        if (sample.lamps == task.pixels.front().lamps)
+            own.push_back(full_values(sample.pixel.material));
+    return taps_for(pixel, own, count);
+}
+
+Taps of_lamps(const Taps& taps, const std::vector<std::size_t>& lamps) {
+    Taps out{taps.wavelength_nm, {}};
+    for (const std::size_t l : lamps)
+        out.weight.push_back(taps.weight[l]);
+    return out;
+}
+
+/// Fills in delta_e_bound and worst; stops early above `enough`.
+void find_bound(const Task& task, ObjectPlan& plan, double enough = 1e9) {
+    Sight sight{&task.spectra.seen(), &task.spectra.exact(), task.view.output_of()};
+    sight.output.adaptation = Matrix3::identity();
+    for (std::size_t i = 0; i < task.pixels.size() && plan.delta_e_bound <= enough; ++i) {
+        const NamedPixel& pixel = task.pixels[i];
+        const Taps taps = plan.method == Method::reduced ? of_lamps(plan.taps, pixel.lamps) : Taps();
+        sight.taps = &taps;
+        const Xyz shown = task.fragment_bits < kFloatBits
+                              ? shade_xyz<Float16>(plan.method, pixel.pixel, sight)
+                              : shade_xyz<float>(plan.method, pixel.pixel, sight);
+        const double difference = delta_e_2000(shown, task.exact[i]);
+        // What is not a number at all is the worst that can be.
+        if (!(difference <= plan.delta_e_bound)) {
+            plan.delta_e_bound = difference == difference ? difference : 1e9;
+            plan.worst = pixel.what;
+        }
+    }
+}
+
+ObjectPlan tried(const Task& task, const Candidate& candidate, double enough) {
+    ObjectPlan plan;
+    plan.object = task.object.name;
+    plan.method = candidate.method;
+    plan.cost_ratio = candidate.cost;
+    if (candidate.method == Method::reduced)
+        plan.taps = taps_of(task, candidate.taps);
+    find_bound(task, plan, enough);
+    return plan;
+}
+
+Candidate candidate(const Task& task, Method method, int taps) {
+    const PixelWork work{.method = method,
+                         .taps = taps,
+                         .surface = surface_of(task.exhibit, task.object, method),
+                         .lamps = static_cast<int>(task.view.lamps.size()),
+                         .lit = !scene_kind(task.exhibit.scene).flat,
+                         .mirrors = task.object.specular > 0};
+    return {method, taps, cost_ratio(work)};
+}
+
+bool can_be_drawn(const Task& task, Method method) {
+    return can_draw(method, task.object.medium.has_value());
+}
+
+/// Every way to draw the object, the cheapest first. A ramp in code values mixes something else.
+std::vector<Candidate> candidates(const Task& task) {
+    std::vector<Candidate> out;
+    for (const Method method : {Method::folded, Method::rgb, Method::tristimulus, Method::prefiltered,
+                                Method::reduced, Method::packed, Method::spectral}) {
+        if (!can_be_drawn(task, method) || (method == Method::rgb && task.object.material_end))
+            continue;
+        if (method != Method::reduced)
+            out.push_back(candidate(task, method, 0));
+        else
+            for (const int taps : kTapCounts)
+                out.push_back(candidate(task, method, taps));
+    }
+    std::stable_sort(out.begin(), out.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+    return out;
+}
+
+std::string why_chosen(const Task& task, const ObjectPlan& plan, const std::string& rejected) {
+    const std::string holds = "errs by at most " + number(plan.delta_e_bound);
+    const std::string after = rejected.empty() ? "" : "; " + rejected;
+    switch (plan.method) {
+    case Method::folded:
+        return surface_of(task.exhibit, task.object, plan.method) == Surface::maps
+                   ? "light stays linear: a table gives the color of each key under each lamp, summed before "
+                     "the frame; " +
+                         holds + after
+                   : "light stays linear: its color under each lamp is a constant, summed before the "
+                     "frame; " +
+                         holds + after;
+    case Method::rgb:
+    case Method::tristimulus:
+    case Method::prefiltered:
+        return "under these lamps three numbers are as good as spectra: the product " + holds + after;
+    case Method::reduced:
+        return (task.object.medium ? "its thickness varies from pixel to pixel: " : "") +
+               std::to_string(plan.taps.wavelength_nm.size()) +
+               " wavelengths chosen for these lamps, which " + holds + after;
+    case Method::packed:
+    case Method::spectral:
+        break;
+    }
+    return "nothing cheaper than all 64 wavelengths holds; it " + holds + after;
+}
+
+ObjectPlan chosen(const Task& task, double tolerance) {
+    std::string rejected;
+    for (const Candidate& candidate : candidates(task)) {
+        ObjectPlan plan = tried(task, candidate, tolerance);
+        if (plan.delta_e_bound <= tolerance) {
+            plan.why = why_chosen(task, plan, rejected);
+            return plan;
+        }
+        rejected = std::string(method_name(candidate.method)) +
+                   (candidate.taps > 0 ? " with " + std::to_string(candidate.taps) : "") +
+                   ", which is cheaper, would err by " + number(plan.delta_e_bound) + " or more";
+    }
+    ObjectPlan best;
+    best.delta_e_bound = 1e10;
+    for (const Candidate& candidate : candidates(task))
+        if (ObjectPlan plan = tried(task, candidate, 1e9); plan.delta_e_bound < best.delta_e_bound)
+            best = plan;
+    throw bad_input("plan", "object \"" + task.object.name + "\" of " + task.exhibit.place,
+                    "no method holds a CIEDE2000 of " + number(tolerance) + "; " +
+                        std::string(method_name(best.method)) + " comes nearest and errs by " +
+                        number(best.delta_e_bound) + " (" + best.worst + ")");
+}
+
+ObjectPlan as_asked(const Task& task, Method method) {
+    if (!can_be_drawn(task, method))
+        throw bad_input("draw", "object \"" + task.object.name + "\" of " + task.exhibit.place,
+                        "method " + std::string(method_name(method)) +
+                            " is a constant, and its medium's thickness varies");
+    ObjectPlan plan =
+        tried(task, candidate(task, method, method == Method::reduced ? task.exhibit.accuracy.taps : 0), 1e9);
+    plan.asked = true;
+    plan.why =
+        "the exhibit asks for it; it errs by up to " + number(plan.delta_e_bound) + " (" + plan.worst + ")";
+    return plan;
+}
+
+HalfPlan plan_half(const Exhibit& exhibit, HalfView view, const ExhibitSpectra& spectra, int fragment_bits) {
+    HalfPlan out{std::move(view), {}};
+    for (const ObjectSetting& object : exhibit.objects) {
+        Task task{exhibit, object,        out.view,
+                  spectra, fragment_bits, pixels_of(exhibit, out.view, spectra, object),
+                  {}};
+        for (const NamedPixel& pixel : task.pixels)
+            task.exact.push_back(exact_xyz(pixel.pixel, spectra.exact()));
+        const MethodChoice choice = choice_of(exhibit, out.view.half, object);
+        out.objects.push_back(choice ? as_asked(task, *choice) : chosen(task, exhibit.accuracy.tolerance));
+    }
+    return out;
+}
+
+} // namespace
+
+Plan plan_exhibit(const Exhibit& exhibit, const ExhibitSpectra& spectra, int fragment_bits) {
+    Plan plan{exhibit.accuracy.tolerance, fragment_bits, {}};
+    for (HalfView& view : half_views(exhibit))
+        plan.halves.push_back(plan_half(exhibit, std::move(view), spectra, fragment_bits));
+    return plan;
+}
+
+} // namespace metamer
