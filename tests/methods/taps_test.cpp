@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <random>
 
 #include <gmock/gmock.h>
@@ -13,6 +14,7 @@
 #include "color/resample.h"
 #include "methods/tap_problem.h"
 #include "methods/tap_weights.h"
+#include "spectra/csv.h"
 #include "spectra/library.h"
 
 namespace metamer {
@@ -237,7 +239,8 @@ Lamps lamps_of(const Scene& scene) {
     return Lamps(std::move(lamps));
 }
 
-// Measured: at most 0.25 at 8 taps (neodymium glass, D65), 0.04 as a rule; the issue asks for 0.5.
+// The issue asks for 0.5 at 8 taps. Measured: at most 0.43 at 4 taps, 0.25 at 8 (neodymium glass under D65),
+// 0.05 as a rule.
 TEST(TapsOfAMedium, HoldBetweenTheSamplesUpToDensityThree) {
     for (const std::string& name : find_material_set("media")->materials) {
         const Spectrum medium = spectrum_of(name);
@@ -245,10 +248,10 @@ TEST(TapsOfAMedium, HoldBetweenTheSamplesUpToDensityThree) {
                                     between = wedge(medium, perfect(), 100);
         for (const Scene& scene : scenes()) {
             const Lamps lamps = lamps_of(scene);
+            const Errors four = errors(choose_taps(lamps.view, own, 4), lamps, between);
+            EXPECT_LE(four.most, 0.5) << name << " under " << scene.name;
             const Errors eight = errors(choose_taps(lamps.view, own, 8), lamps, between);
             EXPECT_LE(eight.most, 0.3) << name << " under " << scene.name;
-            const Errors six = errors(choose_taps(lamps.view, own, 6), lamps, between);
-            EXPECT_LE(six.most, 0.5) << name << " under " << scene.name;
         }
     }
 }
@@ -363,6 +366,29 @@ TEST(TapsOfAnyMaterial, KeepTheirErrorsAndImproveWithTheirCount) {
         EXPECT_LT(taps.mean, 0.5 * last) << count;
         last = taps.mean;
     }
+}
+
+// A second opinion: fifty measured lamps and 99 measured materials that the project does not hold, where a
+// checkout has them beside it. Bins were 0.56 at 16 and 0.15 at 32 on such.
+TEST(TapsOfAnyMaterial, HoldForLampsAndMaterialsNeverSeen) {
+    const std::string folder = METAMER_SOURCE_DIR "/../shared/spectra/";
+    if (!std::filesystem::exists(folder + "lamps.csv"))
+        return;
+    std::vector<Spectrum> materials;
+    for (const Curve& curve :
+         read_spectra(folder + "reflectances_ces99.csv", SpectrumKind::reflectance).curves)
+        materials.push_back(resample(MaterialSpectrum{curve}, kReferenceGrid));
+    double mean = 0, most = 0;
+    const SpectrumTable lamps = read_spectra(folder + "lamps.csv", SpectrumKind::emission);
+    constexpr std::size_t kStep = 3;
+    for (std::size_t i = 0; i < lamps.curves.size(); i += kStep) {
+        const Lamps lamp({reference_lamp(LampSpectrum{lamps.curves[i], {}})});
+        const Errors e = errors(choose_taps(lamp.view, {}, 16), lamp, materials);
+        mean += e.mean * kStep / static_cast<double>(lamps.curves.size());
+        most = std::max(most, e.most);
+    }
+    EXPECT_LE(mean, 0.06);
+    EXPECT_LE(most, 1);
 }
 
 TEST(Taps, StandDegenerateSpectra) {
