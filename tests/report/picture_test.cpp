@@ -111,6 +111,7 @@ TEST(PicturePng, ShowsWhatIsOffTheAxisAtItsEnd) {
         ASSERT_GT(box.right, box.left) << y;
         EXPECT_NEAR(box.center().x, inside.center().x, 1.5) << y;
         EXPECT_NEAR(box.top, inside.center().y, 3) << y;
+        EXPECT_GE(box.top, inside.center().y - 1) << "an arrow ends where a dot would not, " << y;
     }
     Picture log = bare({dots({{0.5, 0}})});
     log.plots[0].y = {.scale = Scale::log10, .low = 0.01, .high = 10};
@@ -118,6 +119,19 @@ TEST(PicturePng, ShowsWhatIsOffTheAxisAtItsEnd) {
     const Box bottom = ink(image_of(bare({dots({{0.5, 0}})})), kVermilion);
     ASSERT_GT(zero.right, zero.left);
     EXPECT_NEAR(zero.bottom, bottom.center().y, 3);
+    EXPECT_LE(zero.bottom, bottom.center().y + 1);
+}
+
+TEST(PictureSvg, TellsZeroAndInfinityFromWhatIsMerelyOffTheAxis) {
+    const auto svg = [](double y) {
+        Picture picture = bare({dots({{0.5, y}})});
+        picture.plots[0].y = {.scale = Scale::log10, .low = 0.01, .high = 10};
+        return picture_svg(picture);
+    };
+    EXPECT_EQ(svg(0.001), svg(0.002));
+    EXPECT_NE(svg(0), svg(0.001));
+    EXPECT_EQ(svg(11), svg(12));
+    EXPECT_NE(svg(kInf), svg(11));
 }
 
 TEST(PicturePng, LinesBreakAtNaN) {
