@@ -132,7 +132,7 @@ ColumnWeights nonnegative_weights(const TapProblem& problem, std::span<const std
     std::vector<std::size_t> free = all_of(taps.size());
     std::vector<double> weight(taps.size(), n.white / static_cast<double>(taps.size()));
     // Each round ends lower than the last, so that it ends; the bound is against rounding.
-    for (std::size_t round = 0; n.white > 0 && round < 4 * taps.size(); ++round) {
+    for (std::size_t round = 0; round < 4 * taps.size(); ++round) {
         for (std::vector<double> wanted; !free.empty(); step(weight, wanted, free)) {
             wanted = constrained(n, free);
             if (std::all_of(free.begin(), free.end(), [&](std::size_t j) { return wanted[j] > 0; })) {
