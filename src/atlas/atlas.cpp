@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "atlas/atlas_check.h"
+#include "atlas/row_levels.h"
 #include "base/error.h"
 #include "base/names.h"
 #include "base/numbers.h"
@@ -14,6 +15,7 @@ namespace metamer {
 
 namespace {
 
+// Quantization::thesis: round half up.
 std::uint8_t quantized(double value) {
     return static_cast<std::uint8_t>(std::floor(value * 255 + 0.5));
 }
@@ -60,6 +62,13 @@ std::string place_of(const std::string& what, const std::string& name) {
     return what + " \"" + quotable(name) + "\"";
 }
 
+bool same_scale(const AtlasLamp&, const AtlasLamp&) {
+    return true;
+}
+bool same_scale(const AtlasMaterial& a, const AtlasMaterial& b) {
+    return a.scale == b.scale;
+}
+
 // The row that these values are in or go to. `what`: "lamp" or "material", for errors.
 template <class Entry>
 int row_for(const Atlas& atlas, const std::array<Entry, kAtlasSize>& entries, AtlasChannel channel,
@@ -68,7 +77,8 @@ int row_for(const Atlas& atlas, const std::array<Entry, kAtlasSize>& entries, At
     if (const auto flaw = flaw_of_name(entry.name, entry.source))
         throw bad_input("add", place, *flaw);
     if (const int key = key_of_name(entries, entry.name)) {
-        if (atlas_row(atlas, key, channel) == values)
+        if (atlas_row(atlas, key, channel) == values &&
+            same_scale(entries[static_cast<std::size_t>(key)], entry))
             return key;
         throw bad_input("add", place,
                         "the atlas holds another spectrum of this name in row " + std::to_string(key));
@@ -80,6 +90,35 @@ int row_for(const Atlas& atlas, const std::array<Entry, kAtlasSize>& entries, At
     return static_cast<int>(free - entries.begin());
 }
 
+std::array<AtlasRow, 3> observer_rows(Quantization quantization) {
+    if (quantization == Quantization::weighted)
+        return observer_levels();
+    const GridObserver exact = sampled_observer();
+    return {quantized(exact.x), quantized(exact.y), quantized(exact.z)};
+}
+
+LampLevels thesis_levels(const Atlas& atlas, const Lamp& lamp) {
+    const SampledLamp sampled = sample_lamp(lamp.spectrum);
+    if (!(sampled.peak > 0))
+        throw bad_input("add", place_of("lamp", lamp.name),
+                        "it has no light on the atlas's grid, " + to_text(kThesisGrid.first_nm) + " .. " +
+                            to_text(kThesisGrid.last_nm()) + " nm");
+    const LampLevels levels{quantized(sampled.emission.value), sampled.peak};
+    if (!has_luminance(atlas, levels.level))
+        throw bad_input("add", place_of("lamp", lamp.name),
+                        "all of its light lies where the atlas's 8-bit observer has y = 0, so that k' = 0");
+    return levels;
+}
+
+LampLevels weighted_levels(const Lamp& lamp) {
+    const LampPower power = lamp_power(lamp.spectrum);
+    if (!is_seen(power))
+        throw bad_input("add", place_of("lamp", lamp.name),
+                        "it has no light that the eye sees, " + to_text(kReferenceGrid.first_nm) + " .. " +
+                            to_text(kReferenceGrid.last_nm()) + " nm");
+    return lamp_levels(power);
+}
+
 } // namespace
 
 AtlasRow atlas_row(const Atlas& atlas, int row, AtlasChannel channel) {
@@ -89,12 +128,13 @@ AtlasRow atlas_row(const Atlas& atlas, int row, AtlasChannel channel) {
     return values;
 }
 
-Atlas empty_atlas() {
+Atlas empty_atlas(Quantization quantization) {
     Atlas atlas;
-    const GridObserver exact = sampled_observer();
-    put(atlas, 0, AtlasChannel::lamp, quantized(exact.x));
-    put(atlas, 0, AtlasChannel::material, quantized(exact.y));
-    put(atlas, 0, AtlasChannel::excitation, quantized(exact.z));
+    atlas.quantization = quantization;
+    const auto row_0 = observer_rows(quantization);
+    put(atlas, 0, AtlasChannel::lamp, row_0[0]);
+    put(atlas, 0, AtlasChannel::material, row_0[1]);
+    put(atlas, 0, AtlasChannel::excitation, row_0[2]);
     AtlasRow opaque;
     opaque.fill(255);
     for (int row = 0; row < kAtlasSize; ++row)
@@ -103,33 +143,28 @@ Atlas empty_atlas() {
 }
 
 int add_lamp(Atlas& atlas, const Lamp& lamp) {
-    const SampledLamp sampled = sample_lamp(lamp.spectrum);
-    if (!(sampled.peak > 0))
-        throw bad_input("add", place_of("lamp", lamp.name),
-                        "it has no light on the atlas's grid, " + to_text(kThesisGrid.first_nm) + " .. " +
-                            to_text(kThesisGrid.last_nm()) + " nm");
-    const AtlasLamp entry{lamp.name, lamp.source, sampled.peak};
-    const AtlasRow values = quantized(sampled.emission.value);
-    if (!has_luminance(atlas, values))
-        throw bad_input("add", place_of("lamp", lamp.name),
-                        "all of its light lies where the atlas's 8-bit observer has y = 0, so that k' = 0");
-    const int key = row_for(atlas, atlas.lamps, AtlasChannel::lamp, "lamp", entry, values);
+    const LampLevels levels =
+        atlas.quantization == Quantization::thesis ? thesis_levels(atlas, lamp) : weighted_levels(lamp);
+    const AtlasLamp entry{lamp.name, lamp.source, levels.peak};
+    const int key = row_for(atlas, atlas.lamps, AtlasChannel::lamp, "lamp", entry, levels.level);
     AtlasLamp& taken = atlas.lamps[static_cast<std::size_t>(key)];
     if (taken.name.empty()) {
         taken = entry;
-        put(atlas, key, AtlasChannel::lamp, values);
+        put(atlas, key, AtlasChannel::lamp, levels.level);
     }
     return key;
 }
 
 int add_material(Atlas& atlas, const Material& material) {
-    const AtlasMaterial entry{material.name, material.source, 1};
-    const AtlasRow values = quantized(sample_material(material.spectrum).value);
-    const int key = row_for(atlas, atlas.materials, AtlasChannel::material, "material", entry, values);
+    const MaterialLevels levels = atlas.quantization == Quantization::thesis
+                                      ? MaterialLevels{quantized(sample_material(material.spectrum).value), 1}
+                                      : material_levels(material.spectrum);
+    const AtlasMaterial entry{material.name, material.source, levels.scale};
+    const int key = row_for(atlas, atlas.materials, AtlasChannel::material, "material", entry, levels.level);
     AtlasMaterial& taken = atlas.materials[static_cast<std::size_t>(key)];
     if (taken.name.empty()) {
         taken = entry;
-        put(atlas, key, AtlasChannel::material, values);
+        put(atlas, key, AtlasChannel::material, levels.level);
     }
     return key;
 }
@@ -150,6 +185,10 @@ GridObserver observer(const Atlas& atlas) {
 
 Emission emission(const Atlas& atlas, int key) {
     return {numbers(atlas_row(atlas, key, AtlasChannel::lamp), 1)};
+}
+
+GridObserver exact_observer(const Atlas& atlas) {
+    return atlas.quantization == Quantization::thesis ? sampled_observer() : weighted_observer();
 }
 
 Reflectance reflectance(const Atlas& atlas, int key) {

@@ -1,8 +1,9 @@
 // The atlas: lamps and materials as rows of a 64 x 64 RGBA8 picture (DESIGN.md section 1).
 //
 // Column i = interval i of kThesisGrid. Row 0: x, y, z of the observer in R, G, B, divided by the greatest of
-// the three. Row r > 0: R = emission of lamp r (its peak = 255), G = reflectance of material r (1 = 255), B =
-// 0 (kept for the fluorescence excitation of material r), A = 255.
+// the three. Row r > 0: R = emission of lamp r (its peak = 255), G = reflectance of material r (its scale =
+// 255), B = 0 (kept for the fluorescence excitation of material r), A = 255. How the levels are chosen is the
+// atlas's Quantization.
 #pragma once
 
 #include <array>
@@ -11,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include "atlas/quantization.h"
 #include "color/observer.h"
 #include "color/spectrum.h"
 #include "spectra/library.h"
@@ -39,6 +41,7 @@ struct Atlas {
     std::array<std::uint8_t, kAtlasSize * kAtlasSize * 4> rgba{};
     std::array<AtlasLamp, kAtlasSize> lamps;
     std::array<AtlasMaterial, kAtlasSize> materials;
+    Quantization quantization = Quantization::thesis; ///< of row 0 and of every row that is added
 };
 
 /// The byte of a row, 0 .. 63, and interval, 0 .. 63, in Atlas::rgba.
@@ -51,12 +54,13 @@ using AtlasRow = std::array<std::uint8_t, kIntervals>;
 AtlasRow atlas_row(const Atlas& atlas, int row, AtlasChannel channel);
 
 /// An atlas of row 0 only.
-Atlas empty_atlas();
+Atlas empty_atlas(Quantization quantization = Quantization::weighted);
 
-/// Quantizes in the thesis's way (round half up of value * 255) into the first free row; returns its key, 1
-/// .. 63. A name that is already there (case aside) is not added again: its key is returned if its bytes
-/// agree. Throws bad_input if they differ, when all 63 rows are taken, for a name that is empty or holds
-/// control characters, and for a lamp without light on the grid.
+/// Quantizes in the atlas's way into the first free row; returns its key, 1 .. 63. A name that is already
+/// there (case aside) is not added again: its key is returned if its bytes agree (and a material's scale).
+/// Throws bad_input if they differ, when all 63 rows are taken, for a name that is empty or holds control
+/// characters, and for a lamp whose k' is 0: `weighted`, at 1 nm, 360 .. 830 nm; `thesis`, on the grid with
+/// the 8-bit observer.
 int add_lamp(Atlas& atlas, const Lamp& lamp);
 int add_material(Atlas& atlas, const Material& material);
 
@@ -70,5 +74,9 @@ int find_material_key(const Atlas& atlas, std::string_view name_or_key);
 GridObserver observer(const Atlas& atlas);
 Emission emission(const Atlas& atlas, int key);
 Reflectance reflectance(const Atlas& atlas, int key);
+
+/// The observer before its levels: sampled_observer() of `thesis`, weighted_observer() of `weighted`. Sums on
+/// the CPU take it with emission() and reflectance(); k' of a lamp of the atlas is above 0 with it.
+GridObserver exact_observer(const Atlas& atlas);
 
 } // namespace metamer

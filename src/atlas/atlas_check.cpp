@@ -24,10 +24,11 @@ std::uint8_t greatest(const Atlas& atlas, int row, AtlasChannel channel) {
 }
 
 Flaw flaw_of_observer(const Atlas& atlas) {
-    static const Atlas standard = empty_atlas();
+    const Atlas standard = empty_atlas(atlas.quantization);
     const auto end_of_row_0 = static_cast<std::ptrdiff_t>(atlas_byte(1, 0, AtlasChannel::lamp));
     if (!std::equal(atlas.rgba.begin(), atlas.rgba.begin() + end_of_row_0, standard.rgba.begin()))
-        return "row 0 is not the CIE 1931 observer";
+        return "row 0 is not the CIE 1931 observer of quantization " +
+               std::string(name_of(atlas.quantization));
     return {};
 }
 
@@ -56,6 +57,9 @@ Flaw flaw_of_material(const Atlas& atlas, int row) {
                    : row_text(row) + "green holds a material that has no name";
     if (const Flaw flaw = flaw_of_name(material.name, material.source))
         return row_text(row) + *flaw;
+    if (atlas.quantization == Quantization::thesis && material.scale != 1)
+        return row_text(row) + "the scale " + to_text(material.scale) +
+               " is not 1, as quantization thesis has it";
     if (!(material.scale > 0 && material.scale <= 1))
         return row_text(row) + "the scale " + to_text(material.scale) + " is outside 0 .. 1";
     return {};
@@ -81,6 +85,8 @@ Flaw flaw_of_names(const std::array<Entry, kAtlasSize>& entries, const std::stri
 } // namespace
 
 bool has_luminance(const Atlas& atlas, const AtlasRow& lamp) {
+    if (atlas.quantization == Quantization::weighted) // no weight y is 0
+        return std::any_of(lamp.begin(), lamp.end(), [](std::uint8_t level) { return level != 0; });
     for (std::size_t i = 0; i < kIntervals; ++i)
         if (lamp[i] != 0 && atlas.rgba[atlas_byte(0, i, AtlasChannel::material)] != 0) // green: y
             return true;

@@ -64,7 +64,8 @@ void add_line(std::string& table, const std::string& line) {
 
 std::string describe(const Atlas& atlas) {
     std::string table;
-    add_line(table, std::string("observer: ") + kObserverName);
+    add_line(table, std::string("observer: ") + kObserverName +
+                        "; quantization: " + std::string(name_of(atlas.quantization)));
     add_line(table, "  x  " + curve(atlas, 0, AtlasChannel::lamp));
     add_line(table, "  y  " + curve(atlas, 0, AtlasChannel::material));
     add_line(table, "  z  " + curve(atlas, 0, AtlasChannel::excitation));
@@ -101,6 +102,7 @@ nlohmann::json describe_json(const Atlas& atlas) {
     }
     return {{"rows", rows},
             {"observer", kObserverName},
+            {"quantization", name_of(atlas.quantization)},
             {"grid",
              {{"first_nm", kThesisGrid.first_nm},
               {"step_nm", kThesisGrid.step_nm},

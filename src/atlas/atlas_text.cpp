@@ -12,6 +12,7 @@ using Texts = std::map<std::string, std::string>;
 
 constexpr const char* kVersionKey = "metamer:atlas";
 constexpr const char* kObserverKey = "metamer:observer";
+constexpr const char* kQuantizationKey = "metamer:quantization";
 constexpr const char* kLampsKey = "metamer:lamps";
 constexpr const char* kMaterialsKey = "metamer:materials";
 constexpr const char* kVersion = "1";
@@ -48,6 +49,18 @@ void demand(const Texts& texts, const std::string& key, const std::string& wante
     if (there != wanted)
         throw bad_input("read", place,
                         key + " is \"" + quotable(there) + "\"; only \"" + wanted + "\" is known");
+}
+
+// Without its text an atlas is the thesis's, which knew no other.
+Quantization read_quantization(const Texts& texts, const std::string& place) {
+    const auto at = texts.find(kQuantizationKey);
+    if (at == texts.end())
+        return Quantization::thesis;
+    if (const auto known = find_quantization(at->second))
+        return *known;
+    throw bad_input("read", place,
+                    std::string(kQuantizationKey) + " is \"" + quotable(at->second) +
+                        "\"; only \"thesis\" and \"weighted\" are known");
 }
 
 // The text up to the separator, which goes too; none when there is no separator.
@@ -103,16 +116,20 @@ void read_lines(std::array<Entry, kAtlasSize>& entries, const Texts& texts, cons
 } // namespace
 
 std::map<std::string, std::string> atlas_texts(const Atlas& atlas) {
-    return {{kVersionKey, kVersion},
-            {kObserverKey, kObserverName},
-            {kLampsKey, lines_of(atlas.lamps)},
-            {kMaterialsKey, lines_of(atlas.materials)}};
+    Texts texts{{kVersionKey, kVersion},
+                {kObserverKey, kObserverName},
+                {kLampsKey, lines_of(atlas.lamps)},
+                {kMaterialsKey, lines_of(atlas.materials)}};
+    if (atlas.quantization != Quantization::thesis)
+        texts.emplace(kQuantizationKey, name_of(atlas.quantization));
+    return texts;
 }
 
 void read_atlas_texts(Atlas& atlas, const std::map<std::string, std::string>& texts,
                       const std::string& place) {
     demand(texts, kVersionKey, kVersion, place);
     demand(texts, kObserverKey, kObserverName, place);
+    atlas.quantization = read_quantization(texts, place);
     read_lines(atlas.lamps, texts, kLampsKey, "peak", place);
     read_lines(atlas.materials, texts, kMaterialsKey, "scale", place);
 }

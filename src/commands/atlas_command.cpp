@@ -19,11 +19,19 @@ namespace {
 struct BuildOptions {
     std::vector<std::string> lamps, materials;
     std::string output;
+    std::string quantization{name_of(Quantization::weighted)};
 };
+
+std::vector<std::string> quantization_names() {
+    std::vector<std::string> names;
+    for (const QuantizationName& known : kQuantizations)
+        names.emplace_back(known.name);
+    return names;
+}
 
 void build(const BuildOptions& options) {
     std::vector<std::string> warnings;
-    Atlas atlas = empty_atlas();
+    Atlas atlas = empty_atlas(find_quantization(options.quantization).value());
     for (const std::string& name : expanded_lamps(options.lamps))
         add_lamp(atlas, find_lamp(name, ".", &warnings));
     for (const std::string& name : expanded_materials(options.materials))
@@ -66,6 +74,11 @@ void add_atlas_command(CLI::App& app) {
     sub->add_option("--materials", building->materials,
                     "spectrum files (all columns, or FILE#COLUMN), library names, or names of sets")
         ->type_name("F.csv|NAME");
+    sub->add_option("--quantization", building->quantization,
+                    "how levels are chosen: `weighted` keeps sums, `thesis` rounds each value")
+        ->check(CLI::IsMember(quantization_names()))
+        ->capture_default_str()
+        ->type_name("NAME");
     sub->add_option("-o,--output", building->output, "the PNG to write")->required()->type_name("A.png");
     sub->callback([building] {
         if (building->lamps.empty() && building->materials.empty())

@@ -1,0 +1,61 @@
+#include "atlas/row_levels.h"
+
+#include <algorithm>
+
+namespace metamer {
+
+namespace {
+
+constexpr double kFullScale = 255;
+
+RowValues times(double factor, const RowValues& row) {
+    RowValues out;
+    std::transform(row.begin(), row.end(), out.begin(), [&](double v) { return factor * v; });
+    return out;
+}
+
+} // namespace
+
+LampLevels lamp_levels(const LampPower& power) {
+    const RowFit fit = fit_lamp(power);
+    const auto peak = std::max_element(fit.best.begin(), fit.best.end());
+    const auto at = static_cast<std::size_t>(peak - fit.best.begin());
+    const LevelSearch search(fit.form);
+    // Scale is free but for the peak's own rounding.
+    Levels best = search.nearest(times(kFullScale / *peak, fit.best), at);
+    double full = kFullScale;
+    for (const double tried : {kFullScale - 0.3, kFullScale + 0.3}) {
+        const Levels levels = search.nearest(times(tried / *peak, fit.best), at);
+        if (levels.error < best.error) {
+            best = levels;
+            full = tried;
+        }
+    }
+    return {best.level, *peak * kFullScale / full};
+}
+
+MaterialLevels material_levels(const MaterialSpectrum& material) {
+    constexpr int scales = 16;
+    constexpr double headroom = 0.1;
+    const RowFit fit = fit_material(material);
+    const double greatest = *std::max_element(fit.best.begin(), fit.best.end());
+    MaterialLevels best{{}, 1};
+    if (!(greatest > 0))
+        return best; // nothing but black
+    const LevelSearch search(fit.form);
+    double least = -1;
+    for (int n = 0; n < scales; ++n) {
+        const double scale = std::min(1.0, greatest * (1 + headroom * n / scales));
+        const Levels levels = search.nearest(times(kFullScale / scale, fit.best));
+        const double error = levels.error * scale * scale;
+        if (least < 0 || error < least) {
+            least = error;
+            best = {levels.level, scale};
+        }
+        if (scale == 1)
+            break;
+    }
+    return best;
+}
+
+} // namespace metamer
