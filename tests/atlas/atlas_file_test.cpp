@@ -44,10 +44,11 @@ std::string with_byte(int row, std::size_t interval, AtlasChannel channel, int v
 }
 
 TEST(AtlasFile, KeepsEverything) {
-    Atlas atlas = sample_atlas();
+    Atlas atlas = sample_atlas(Quantization::weighted);
     atlas.materials[2].scale = 0.05;
     const Atlas back = decode_atlas(encode_atlas(atlas), "a.png");
     EXPECT_EQ(back.rgba, atlas.rgba);
+    EXPECT_EQ(back.quantization, Quantization::weighted);
     for (std::size_t row = 0; row < kAtlasSize; ++row) {
         EXPECT_EQ(back.lamps[row].name, atlas.lamps[row].name);
         EXPECT_EQ(back.lamps[row].source, atlas.lamps[row].source);
@@ -96,8 +97,28 @@ TEST(AtlasFile, IsA64x64Rgba8PngWithReadableTexts) {
 }
 
 TEST(AtlasFile, TakesAnAtlasOfTheObserverOnly) {
-    const Atlas back = decode_atlas(encode_atlas(empty_atlas()), "a.png");
-    EXPECT_EQ(back.rgba, empty_atlas().rgba);
+    for (const QuantizationName& known : kQuantizations) {
+        const Atlas back = decode_atlas(encode_atlas(empty_atlas(known.quantization)), "a.png");
+        EXPECT_EQ(back.rgba, empty_atlas(known.quantization).rgba);
+        EXPECT_EQ(back.quantization, known.quantization);
+    }
+}
+
+// An atlas that does not say is the thesis's, as all were; what it says must be so.
+TEST(AtlasFile, TheQuantizationTravelsAndRow0Agrees) {
+    Png png = decode_png(encode_atlas(sample_atlas(Quantization::weighted)), "a.png");
+    EXPECT_EQ(png.text.at("metamer:quantization"), "weighted");
+    EXPECT_FALSE(decode_png(encode_atlas(sample_atlas()), "a.png").text.contains("metamer:quantization"));
+    png.text.erase("metamer:quantization");
+    EXPECT_EQ(refused(encode_png(png, true)),
+              "2: cannot read a.png: row 0 is not the CIE 1931 observer of quantization thesis");
+    EXPECT_EQ(refused(with_text("quantization", "weighted")),
+              "2: cannot read a.png: row 0 is not the CIE 1931 observer of quantization weighted");
+    EXPECT_EQ(
+        refused(with_text("quantization", "finest")),
+        "2: cannot read a.png: metamer:quantization is \"finest\"; only \"thesis\" and \"weighted\" are "
+        "known");
+    EXPECT_EQ(refused(with_text("quantization", "thesis")), "no error");
 }
 
 TEST(AtlasFile, RefusesTruncationAtEveryByte) {
@@ -151,7 +172,8 @@ TEST(AtlasFile, RefusesOtherSizes) {
 }
 
 TEST(AtlasFile, RefusesPixelsThatAreNone) {
-    const std::string row_0 = "2: cannot read a.png: row 0 is not the CIE 1931 observer";
+    const std::string row_0 =
+        "2: cannot read a.png: row 0 is not the CIE 1931 observer of quantization thesis";
     EXPECT_EQ(refused(with_byte(0, 42, AtlasChannel::lamp, 152)), row_0);
     EXPECT_EQ(refused(with_byte(0, 63, AtlasChannel::material, 255)), row_0);
     EXPECT_EQ(refused(with_byte(0, 12, AtlasChannel::excitation, 254)), row_0);
@@ -208,9 +230,14 @@ TEST(AtlasFile, RefusesNumbersAndNamesThatMakeNoSense) {
     for (const std::string peak : {"0", "-1"})
         EXPECT_EQ(refused(with_text("lamps", lamps + "2\tline\t" + peak + "\ta test\n")),
                   "2: cannot read a.png: row 2: the peak " + peak + " is not a positive number");
-    for (const std::string scale : {"0", "-0.5", "1.5"})
-        EXPECT_EQ(refused(with_text("materials", "1\tgray\t1\t\n2\tblack\t" + scale + "\t\n")),
+    for (const std::string scale : {"0", "-0.5", "1.5"}) {
+        Png png = decode_png(encode_atlas(sample_atlas(Quantization::weighted)), "a.png");
+        png.text["metamer:materials"] = "1\tgray\t1\t\n2\tblack\t" + scale + "\t\n";
+        EXPECT_EQ(refused(encode_png(png, true)),
                   "2: cannot read a.png: row 2: the scale " + scale + " is outside 0 .. 1");
+    }
+    EXPECT_EQ(refused(with_text("materials", "1\tgray\t1\t\n2\tblack\t0.5\t\n")),
+              "2: cannot read a.png: row 2: the scale 0.5 is not 1, as quantization thesis has it");
     EXPECT_EQ(refused(with_text("materials", "1\tgray\tmuch\t\n")),
               "2: cannot read a.png: metamer:materials line 1: scale \"much\" is not a number");
     EXPECT_EQ(refused(with_text("lamps", lamps + "2\tRamp\t1\ta test\n")),

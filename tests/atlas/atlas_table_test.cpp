@@ -32,7 +32,7 @@ std::string times(std::size_t count, const std::string& piece) {
 TEST(AtlasTable, ShowsTheObserverAndEveryRowInUse) {
     const auto lines = lines_of(describe(sample_atlas()));
     ASSERT_THAT(lines, SizeIs(8));
-    EXPECT_EQ(lines[0], "observer: CIE 1931 2 degree");
+    EXPECT_EQ(lines[0], "observer: CIE 1931 2 degree; quantization: thesis");
     EXPECT_THAT(lines[1], StartsWith("  x  "));
     EXPECT_THAT(lines[2], StartsWith("  y  "));
     EXPECT_THAT(lines[3], StartsWith("  z  "));
@@ -48,7 +48,7 @@ TEST(AtlasTable, ShowsTheObserverAndEveryRowInUse) {
 }
 
 TEST(AtlasTable, ShowsAScaleThatIsNotOne) {
-    Atlas atlas = sample_atlas();
+    Atlas atlas = sample_atlas(Quantization::weighted);
     atlas.materials[2].scale = 0.05;
     EXPECT_THAT(describe(atlas), HasSubstr("  black (scale 0.05)\n"));
 }
@@ -66,7 +66,7 @@ TEST(AtlasTable, GivesJson) {
             {"key": 2, "lamp": {"name": "line:589.3", "peak": 0, "source": "a formula"},
              "material": {"name": "black", "scale": 1, "source": "a test"}},
             {"key": 3, "lamp": {"name": "Glühlampe", "peak": 0.1, "source": "光, 2015"}, "material": null}],
-        "observer": "CIE 1931 2 degree",
+        "observer": "CIE 1931 2 degree", "quantization": "thesis",
         "grid": {"first_nm": 385, "step_nm": 5, "count": 64}})");
     expected["rows"][1]["lamp"]["peak"] = atlas.lamps[2].peak;
     EXPECT_EQ(describe_json(atlas), expected);

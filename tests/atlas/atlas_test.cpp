@@ -30,7 +30,7 @@ TEST(Atlas, BytesGoByRowThenIntervalThenChannel) {
 // By hand from the 1931 table and its greatest value, z = 1.7826 at 445 nm. The thesis prints x = 151 for 595
 // nm.
 TEST(Atlas, Row0IsTheObserverRoundedHalfUp) {
-    const Atlas atlas = empty_atlas();
+    const Atlas atlas = empty_atlas(Quantization::thesis);
     EXPECT_EQ(red(atlas, 0, 42), 151);   // 595 nm: 1.0567 / 1.7826 * 255 = 151.16
     EXPECT_EQ(red(atlas, 0, 43), 152);   // 600 nm: 1.0622 / 1.7826 * 255 = 151.95
     EXPECT_EQ(green(atlas, 0, 34), 143); // 555 nm: 1.0000 / 1.7826 * 255 = 143.05
@@ -43,7 +43,7 @@ TEST(Atlas, Row0IsTheObserverRoundedHalfUp) {
 }
 
 TEST(Atlas, MaterialsAreRoundedHalfUp) {
-    Atlas atlas = empty_atlas();
+    Atlas atlas = empty_atlas(Quantization::thesis);
     const double values[] = {0,     0.0019, 0.002, 0.4,
                              0.498, 0.5,    0.999, 1}; // * 255: 0.48, 0.51, 102, 126.99, 127.5 ..
     const int bytes[] = {0, 0, 1, 102, 127, 128, 255, 255};
@@ -61,7 +61,7 @@ TEST(Atlas, MaterialsAreRoundedHalfUp) {
 }
 
 TEST(Atlas, LampsArePeak255AndKeepTheirPeak) {
-    Atlas atlas = empty_atlas();
+    Atlas atlas = empty_atlas(Quantization::thesis);
     EXPECT_EQ(add_lamp(atlas, ramp_lamp("ramp", 12.6)), 1);
     EXPECT_EQ(red(atlas, 1, 0), 0);
     EXPECT_EQ(red(atlas, 1, 1), 4);    // 255 / 63 = 4.05
@@ -76,7 +76,7 @@ TEST(Atlas, LampsArePeak255AndKeepTheirPeak) {
 
 // 589.3 nm: 0.7 nm below 590 nm, so 0.86 of the power goes there, 0.14 to 585 nm: 0.14 / 0.86 * 255 = 41.5.
 TEST(Atlas, ALineIsSharedByTwoIntervals) {
-    Atlas atlas = empty_atlas();
+    Atlas atlas = empty_atlas(Quantization::thesis);
     add_lamp(atlas, line_lamp("line", 589.3));
     EXPECT_EQ(red(atlas, 1, 41), 255);
     EXPECT_NEAR(red(atlas, 1, 40), 41.5, 0.51);
@@ -129,7 +129,7 @@ TEST(Atlas, RefusesTwoSpectraOfOneName) {
 }
 
 TEST(Atlas, RefusesThe64thRow) {
-    Atlas atlas = empty_atlas();
+    Atlas atlas = empty_atlas(Quantization::thesis);
     for (int n = 1; n <= 63; ++n) {
         EXPECT_EQ(add_lamp(atlas, line_lamp("lamp " + std::to_string(n), 420 + 4 * n)), n);
         EXPECT_EQ(add_material(atlas, flat_material("material " + std::to_string(n), n / 63.0)), n);
@@ -143,15 +143,15 @@ TEST(Atlas, RefusesThe64thRow) {
 }
 
 TEST(Atlas, RefusesALampWithoutLightOnTheGrid) {
-    Atlas atlas = empty_atlas();
+    Atlas atlas = empty_atlas(Quantization::thesis);
     EXPECT_EQ(error_of([&] { add_lamp(atlas, line_lamp("infrared", 1000)); }),
               "2: cannot add lamp \"infrared\": it has no light on the atlas's grid, 385 .. 700 nm");
-    EXPECT_EQ(atlas.rgba, empty_atlas().rgba);
+    EXPECT_EQ(atlas.rgba, empty_atlas(Quantization::thesis).rgba);
 }
 
 // Mercury's violet line: 8 bits round the observer's y to 0 there, and nothing can be divided by k' = 0.
 TEST(Atlas, RefusesALampThatItsObserverDoesNotSee) {
-    Atlas atlas = empty_atlas();
+    Atlas atlas = empty_atlas(Quantization::thesis);
     for (double violet_nm : {385.0, 404.7, 415.0})
         EXPECT_EQ(error_of([&] { add_lamp(atlas, line_lamp("violet", violet_nm)); }),
                   "2: cannot add lamp \"violet\": all of its light lies where the atlas's 8-bit observer has "
@@ -164,7 +164,7 @@ TEST(Atlas, RefusesALampThatItsObserverDoesNotSee) {
 }
 
 TEST(Atlas, RefusesNamesThatCannotBeWritten) {
-    Atlas atlas = empty_atlas();
+    Atlas atlas = empty_atlas(Quantization::thesis);
     const auto refused = [&](const std::string& name, const std::string& source) {
         return error_of([&] { add_material(atlas, {name, "", source, flat_material("", 1).spectrum}); });
     };
@@ -176,7 +176,7 @@ TEST(Atlas, RefusesNamesThatCannotBeWritten) {
               "2: cannot add material \"a\": the name or its source holds a control character");
     EXPECT_EQ(refused("caf\xE9", "x"),
               "2: cannot add material \"caf?\": the name or its source is not UTF-8");
-    EXPECT_EQ(atlas.rgba, empty_atlas().rgba);
+    EXPECT_EQ(atlas.rgba, empty_atlas(Quantization::thesis).rgba);
 }
 
 TEST(Atlas, ReadsBackWhatTheShaderSees) {

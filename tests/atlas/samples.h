@@ -35,8 +35,8 @@ inline Lamp line_lamp(const std::string& name, double wavelength_nm) {
 }
 
 // Three lamps, two materials, names and sources beyond ASCII.
-inline Atlas sample_atlas() {
-    Atlas atlas = empty_atlas();
+inline Atlas sample_atlas(Quantization quantization = Quantization::thesis) {
+    Atlas atlas = empty_atlas(quantization);
     add_lamp(atlas, ramp_lamp("ramp", 12.3));
     add_lamp(atlas, line_lamp("line:589.3", 589.3));
     add_lamp(atlas, {"Gl\xC3\xBChlampe", "", "\xE5\x85\x89, 2015", ramp_lamp("", 0.1).spectrum});

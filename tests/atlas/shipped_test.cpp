@@ -7,28 +7,38 @@
 namespace metamer {
 namespace {
 
-class ShippedAtlas : public testing::TestWithParam<MaterialSet> {};
-
-TEST_P(ShippedAtlas, HoldsTheLibrarysLampsAndItsSet) {
-    Atlas built = empty_atlas();
+void expect_shipped(const std::string& file, const MaterialSet& set, Quantization quantization) {
+    Atlas built = empty_atlas(quantization);
     for (const Lamp& lamp : library_lamps())
         add_lamp(built, lamp);
-    for (const std::string& name : GetParam().materials)
+    for (const std::string& name : set.materials)
         add_material(built, find_material(name));
-    const Atlas shipped = read_atlas(METAMER_SOURCE_DIR "/atlas/" + GetParam().name + ".png");
+    const Atlas shipped = read_atlas(METAMER_SOURCE_DIR "/atlas/" + file);
+    EXPECT_EQ(shipped.quantization, quantization);
     EXPECT_EQ(shipped.rgba, built.rgba);
     for (std::size_t key = 1; key < kAtlasSize; ++key) {
         EXPECT_EQ(shipped.lamps[key].name, built.lamps[key].name);
         EXPECT_EQ(shipped.lamps[key].source, built.lamps[key].source);
-        EXPECT_EQ(shipped.lamps[key].peak, built.lamps[key].peak);
+        EXPECT_DOUBLE_EQ(shipped.lamps[key].peak, built.lamps[key].peak);
         EXPECT_EQ(shipped.materials[key].name, built.materials[key].name);
         EXPECT_EQ(shipped.materials[key].source, built.materials[key].source);
+        EXPECT_DOUBLE_EQ(shipped.materials[key].scale, built.materials[key].scale);
     }
+}
+
+class ShippedAtlas : public testing::TestWithParam<MaterialSet> {};
+
+TEST_P(ShippedAtlas, HoldsTheLibrarysLampsAndItsSet) {
+    expect_shipped(GetParam().name + ".png", GetParam(), Quantization::weighted);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sets, ShippedAtlas,
                          testing::ValuesIn(material_sets().begin(), material_sets().end()),
                          [](const auto& set) { return set.param.name; });
+
+TEST(ShippedThesisAtlas, HoldsTheLibrarysLampsAndTheCrayons) {
+    expect_shipped("crayons-thesis.png", *find_material_set("crayons"), Quantization::thesis);
+}
 
 } // namespace
 } // namespace metamer
