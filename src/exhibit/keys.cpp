@@ -22,12 +22,10 @@ std::vector<std::string> names_of(const Table& table) {
     return names;
 }
 
-std::vector<std::string> method_names() {
-    return names_of(kMethods);
-}
 std::vector<std::string> method_choices() {
-    std::vector<std::string> names = method_names();
-    names.insert(names.begin(), "auto");
+    std::vector<std::string> names{"auto"};
+    for (const MethodInfo& info : kMethods)
+        names.emplace_back(info.name);
     return names;
 }
 std::vector<std::string> tap_counts() {

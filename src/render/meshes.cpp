@@ -99,7 +99,7 @@ void add_lathe(MeshData& mesh, const glm::vec3& foot, std::span<const glm::vec2>
             return foot + glm::vec3(static_cast<double>(p.x) * std::cos(angle), p.y,
                                     static_cast<double>(p.x) * std::sin(angle));
         };
-        add_surface(mesh, ring, segments, 8);
+        add_surface(mesh, ring, segments, 4);
     }
 }
 
@@ -109,7 +109,7 @@ void add_sphere(MeshData& mesh, const glm::vec3& center, double radius) {
         return center + glm::vec3(radius * std::cos(up) * std::cos(around), radius * std::sin(up),
                                   radius * std::cos(up) * std::sin(around));
     };
-    add_surface(mesh, point, 64, 32);
+    add_surface(mesh, point, 48, 24);
 }
 
 void add_torus(MeshData& mesh, const glm::vec3& center, double radius, double tube) {
@@ -117,7 +117,7 @@ void add_torus(MeshData& mesh, const glm::vec3& center, double radius, double tu
         const double around = -kTurn * u, section = kTurn * v, r = radius + tube * std::cos(section);
         return center + glm::vec3(r * std::cos(around), tube * std::sin(section), r * std::sin(around));
     };
-    add_surface(mesh, point, 64, 32);
+    add_surface(mesh, point, 48, 24);
 }
 
 void lay_along_x(MeshData& mesh) {

@@ -26,7 +26,7 @@ void add_box(MeshData& mesh, const glm::vec3& center, const glm::vec3& size, dou
 
 /// Adds a body of revolution about the vertical through `foot`: (radius, height) from bottom to top, a smooth
 /// curve through the points; a point given twice makes a crease. u runs around, v along the profile.
-void add_lathe(MeshData& mesh, const glm::vec3& foot, std::span<const glm::vec2> profile, int segments = 64);
+void add_lathe(MeshData& mesh, const glm::vec3& foot, std::span<const glm::vec2> profile, int segments = 48);
 
 void add_sphere(MeshData& mesh, const glm::vec3& center, double radius);
 
