@@ -20,7 +20,8 @@ struct TapProblem {
 /// The least-squares problem of these lamps and spectra. An own row's share is 1 / sqrt(count of own rows),
 /// so that the sum of squares is a mean; an error in a channel is weighed by what CIEDE2000 makes of it at
 /// that color (delta_e_2000_slopes): dark and grayish colors count more than bright and vivid ones. The
-/// general ensemble is weighed as a gray of 25 % is, and by kGeneralShare if there are own rows.
+/// general ensemble is weighed as a gray of 25 % is, and by kGeneralShare if there are own rows. `own` must
+/// outlive the problem.
 TapProblem tap_problem(std::span<const ReferenceLamp* const> lamps, std::span<const std::vector<double>> own);
 
 /// The general ensemble's weight beside `own`.

@@ -47,8 +47,8 @@ void expect_least(const TapProblem& problem, const std::vector<std::size_t>& tap
 // Wavelengths at random, so that many weights want to be negative and some come back.
 TEST(TapWeights, AreTheLeastError) {
     const Lamps lamps({lamp_of("F2"), lamp_of("krypton")});
-    const TapProblem problem =
-        tap_problem(lamps.view, wedge(spectrum_of("liquid-permanganate"), perfect(), 9));
+    const std::vector<Spectrum> own = wedge(spectrum_of("liquid-permanganate"), perfect(), 9);
+    const TapProblem problem = tap_problem(lamps.view, own);
     std::mt19937 random(7);
     int negative = 0;
     for (int n = 0; n < 40; ++n) {
