@@ -65,7 +65,8 @@ TEST(Keys, RangesAreTold) {
     EXPECT_EQ(range_text(*find_key("display", "width")), "16 .. 4096 px");
     EXPECT_EQ(range_text(*find_key("lamp.1", "strength")), "0 .. 1000000");
     EXPECT_EQ(range_text(*find_key("lamp.1", "falloff")), "3 numbers, 0 .. 1000000");
-    EXPECT_EQ(range_text(*find_key("accuracy", "method")), "rgb, tristimulus, spectral");
+    EXPECT_EQ(range_text(*find_key("accuracy", "method")),
+              "auto, rgb, tristimulus, spectral, prefiltered, packed, reduced, folded");
     EXPECT_EQ(plain_number(0.25), "0.25");
 }
 

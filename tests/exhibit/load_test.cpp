@@ -22,7 +22,12 @@ TEST(Load, AnEmptyFileIsTheDefaultOfEveryKey) {
     EXPECT_EQ(exhibit.display.transfer, Transfer::srgb);
     EXPECT_EQ(exhibit.display.adaptation, Adaptation::none);
     EXPECT_EQ(exhibit.display.supersample, 1);
-    EXPECT_EQ(exhibit.method, Method::spectral);
+    EXPECT_EQ(exhibit.display.gamut, Gamut::clip);
+    EXPECT_EQ(exhibit.display.color_depth_bits, 24);
+    EXPECT_FALSE(exhibit.display.dither);
+    EXPECT_FALSE(exhibit.accuracy.method) << "auto";
+    EXPECT_EQ(exhibit.accuracy.tolerance, 0.5);
+    EXPECT_EQ(exhibit.accuracy.taps, 8);
     EXPECT_EQ(exhibit.scene, SceneKind::crayons);
     EXPECT_EQ(exhibit.objects.size(), 15u);
     ASSERT_EQ(exhibit.lamps.size(), 1u);
@@ -84,7 +89,7 @@ TEST(Load, Objects) {
     EXPECT_EQ(orange.name, "orange");
     EXPECT_EQ(orange.material.material.name, "cc-red");
     EXPECT_EQ(exhibit.atlas.materials.at(static_cast<std::size_t>(orange.material.key)).name, "cc-red");
-    EXPECT_EQ(orange.method, Method::rgb);
+    EXPECT_EQ(orange.method, MethodChoice(Method::rgb));
     EXPECT_EQ(orange.bump_map->width, 256);
     EXPECT_EQ(orange.bump_map->height, 128);
     EXPECT_EQ(orange.bump, 0.3);
@@ -112,8 +117,8 @@ TEST(Load, RampEndsAndMixes) {
         EXPECT_EQ(ramp.material_end->material.name, "cc-blue");
         EXPECT_EQ(ramp.material_end->key, 2);
     }
-    EXPECT_EQ(exhibit.objects.at(2).method, Method::spectral);
-    EXPECT_EQ(exhibit.objects.at(1).method, Method::tristimulus);
+    EXPECT_EQ(exhibit.objects.at(2).method, MethodChoice(Method::spectral));
+    EXPECT_EQ(exhibit.objects.at(1).method, MethodChoice(Method::tristimulus));
 }
 
 TEST(Load, Compare) {
@@ -123,7 +128,7 @@ TEST(Load, Compare) {
     ASSERT_TRUE(exhibit.compare);
     EXPECT_EQ(exhibit.compare->split_px, 640);
     EXPECT_EQ(exhibit.compare->line_px, 3);
-    EXPECT_EQ(exhibit.compare->left.method, Method::rgb);
+    EXPECT_EQ(exhibit.compare->left.method, MethodChoice(Method::rgb));
     EXPECT_EQ(exhibit.compare->left.lamp->lamp.name, "A");
     EXPECT_EQ(exhibit.atlas.lamps.at(static_cast<std::size_t>(exhibit.compare->left.lamp->key)).name, "A");
     EXPECT_FALSE(exhibit.compare->left.strength);
@@ -147,7 +152,7 @@ TEST(Load, SetsBeatTheFile) {
                    {"lamp.1.spectrum=A", "compare.left.method=rgb",
                     "display.matrix=", "display.working_space=sRGB-E", "scene.kind=loaf"});
     EXPECT_EQ(exhibit.lamps.at(0).lamp.name, "A");
-    EXPECT_EQ(exhibit.compare->left.method, Method::rgb);
+    EXPECT_EQ(exhibit.compare->left.method, MethodChoice(Method::rgb));
     EXPECT_FALSE(exhibit.display.matrix);
     EXPECT_EQ(exhibit.display.working_space->name, "sRGB-E");
     EXPECT_EQ(exhibit.objects.at(0).name, "slice-1");

@@ -50,8 +50,8 @@ TEST(Shipped, TheBuiltInExhibitIsTheShippedOne) {
     EXPECT_EQ(built_in.place, "the built-in crayons.ini");
     EXPECT_EQ(built_in.atlas.rgba, file.atlas.rgba);
     EXPECT_EQ(built_in.objects.size(), 15u);
-    EXPECT_EQ(built_in.compare->left.method, Method::tristimulus);
-    EXPECT_EQ(built_in.compare->right.method, Method::spectral);
+    EXPECT_EQ(built_in.compare->left.method, MethodChoice(Method::tristimulus));
+    EXPECT_EQ(built_in.compare->right.method, MethodChoice(Method::spectral));
     EXPECT_EQ(built_in.display.supersample, 2);
     EXPECT_EQ(default_exhibit({"lamp.1.spectrum=A"}).lamps.at(0).lamp.name, "A");
 }
