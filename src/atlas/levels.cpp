@@ -12,7 +12,8 @@ constexpr std::size_t kReach = 3; // intervals between two levels that move toge
 constexpr int kMostRounds = 32;
 
 double rounded(double v) {
-    return std::clamp(std::floor(v + 0.5), 0.0, kMostLevel);
+    constexpr double round_off = 1e-7; // a half is rounded up on every machine
+    return std::clamp(std::floor(v + 0.5 + round_off), 0.0, kMostLevel);
 }
 
 bool is_level(double v) {
@@ -101,7 +102,7 @@ void LevelSearch::descend(RowValues& level, const RowValues& wanted, std::option
     for (std::size_t i = 0; i < kIntervals; ++i)
         scale = std::max(scale, form_.g[i][i]);
     // A gain must be more than round-off, or two roundings could take turns.
-    Descent descent{form_, level, form_.times(difference(level, wanted)), 1e-12 * scale};
+    Descent descent{form_, level, form_.times(difference(level, wanted)), 1e-8 * scale};
     bool moved = true;
     for (int round = 0; moved && round < kMostRounds; ++round) {
         moved = false;

@@ -8,6 +8,17 @@ namespace {
 
 constexpr double kFullScale = 255;
 
+// Squared CIEDE2000 of levels whose step is 1 / 255 of `full_scale`.
+double seen_error(const Levels& levels, double full_scale) {
+    const double step = full_scale / kFullScale;
+    return levels.error * step * step;
+}
+
+// By more than nobody sees: round-off, which differs from machine to machine, must not choose.
+bool is_better(double error, double than) {
+    return error < 0.999 * than - 1e-8;
+}
+
 RowValues times(double factor, const RowValues& row) {
     RowValues out;
     std::transform(row.begin(), row.end(), out.begin(), [&](double v) { return factor * v; });
@@ -26,7 +37,7 @@ LampLevels lamp_levels(const LampPower& power) {
     double full = kFullScale;
     for (const double tried : {kFullScale - 0.3, kFullScale + 0.3}) {
         const Levels levels = search.nearest(times(tried / *peak, fit.best), at);
-        if (levels.error < best.error) {
+        if (is_better(seen_error(levels, *peak), seen_error(best, *peak))) {
             best = levels;
             full = tried;
         }
@@ -43,12 +54,12 @@ MaterialLevels material_levels(const MaterialSpectrum& material) {
     if (!(greatest > 0))
         return best; // nothing but black
     const LevelSearch search(fit.form);
-    double least = -1;
+    double least = 0;
     for (int n = 0; n < scales; ++n) {
         const double scale = std::min(1.0, greatest * (1 + headroom * n / scales));
         const Levels levels = search.nearest(times(kFullScale / scale, fit.best));
-        const double error = levels.error * scale * scale;
-        if (least < 0 || error < least) {
+        const double error = seen_error(levels, scale);
+        if (n == 0 || is_better(error, least)) {
             least = error;
             best = {levels.level, scale};
         }

@@ -50,12 +50,24 @@ TEST_F(AtlasCommand, FilesStandForTheirColumnsAndSetsForTheirMembers) {
 }
 
 TEST_F(AtlasCommand, TheValuesAreTheSpectras) {
-    output_of({"atlas", "build", "--materials", "two.csv", "-o", "a.png"});
+    output_of({"atlas", "build", "--quantization", "thesis", "--materials", "two.csv", "-o", "a.png"});
     const Atlas built = atlas("a.png");
     EXPECT_EQ(built.rgba[atlas_byte(1, 0, AtlasChannel::material)], 128);
     EXPECT_EQ(built.rgba[atlas_byte(2, 0, AtlasChannel::material)], 0);
     EXPECT_EQ(built.rgba[atlas_byte(2, 63, AtlasChannel::material)], 255);
     EXPECT_TRUE(built.lamps[1].name.empty());
+}
+
+TEST_F(AtlasCommand, TheQuantizationIsChosenAndShown) {
+    output_of({"atlas", "build", "--materials", "two.csv", "-o", "a.png"});
+    output_of({"atlas", "build", "--quantization", "thesis", "--materials", "two.csv", "-o", "t.png"});
+    EXPECT_EQ(json_of({"atlas", "show", "a.png", "--json"})["quantization"], "weighted");
+    EXPECT_EQ(json_of({"atlas", "show", "t.png", "--json"})["quantization"], "thesis");
+    EXPECT_THAT(output_of({"atlas", "show", "t.png"}), HasSubstr("quantization: thesis"));
+    EXPECT_LT(json_of({"atlas", "show", "a.png", "--json"})["rows"][0]["material"]["scale"], 0.6);
+    expect_failure_like(2,
+                        {"atlas", "build", "--quantization", "fine", "--materials", "two.csv", "-o", "x.png"},
+                        HasSubstr("--quantization"));
 }
 
 TEST_F(AtlasCommand, EveryLampFitsBesideEachSet) {
@@ -114,7 +126,8 @@ TEST_F(AtlasCommand, ShowsJsonHasEverythingItsTextHas) {
     EXPECT_EQ(row["lamp"]["name"], "F11");
     EXPECT_GT(row["lamp"]["peak"].get<double>(), 0);
     EXPECT_NE(row["lamp"]["source"], "");
-    EXPECT_EQ(row["material"]["scale"], 1.0);
+    EXPECT_GT(row["material"]["scale"].get<double>(), 0.5);
+    EXPECT_LE(row["material"]["scale"].get<double>(), 1);
 }
 
 TEST_F(AtlasCommand, ShowDrawsAPictureOfTheRows) {

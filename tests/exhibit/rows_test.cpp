@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "atlas/atlas_check.h"
 #include "atlas/atlas_file.h"
 #include "base/files.h"
 #include "exhibit/support.h"
@@ -35,6 +36,14 @@ TEST(Rows, KeyIIsTheIthMaterialOfTheList) {
         EXPECT_EQ(exhibit.atlas.materials[2].name, "cc-blue") << kind;
         EXPECT_EQ(exhibit.atlas.materials[3].name, "cc-green") << kind;
     }
+}
+
+TEST(Rows, AnAtlasThatIsBuiltHasTheQuantizationAskedFor) {
+    EXPECT_EQ(exhibit_of("").atlas.quantization, Quantization::weighted);
+    const Exhibit exhibit = exhibit_of("[scene]\nmaterials = cc-black\n[atlas]\nquantization = thesis\n");
+    EXPECT_EQ(exhibit.atlas.quantization, Quantization::thesis);
+    EXPECT_EQ(exhibit.atlas.materials[1].scale, 1);
+    EXPECT_EQ(flaw_of(exhibit.atlas), std::nullopt);
 }
 
 TEST(Rows, ASetInTheListStandsForItsMaterials) {
@@ -114,6 +123,29 @@ TEST_F(RowsOfAFile, NamesAndKeysAreLookedUpThereFirst) {
     EXPECT_EQ(exhibit.lamps.at(1).key, 1);
     EXPECT_NEAR(value_at_held(exhibit.lamps.at(0).lamp.spectrum.continuum, 600), 3, 0.02);
     EXPECT_EQ(exhibit.lamps.at(2).key, 2);
+}
+
+// What the file holds is known by its rows only; what it does not hold, in full.
+TEST_F(RowsOfAFile, MaterialsAtFullResolutionAreKeptByKey) {
+    const Exhibit exhibit =
+        load("[scene]\nmaterials = cc-red, cc-blue\n[lamp.1]\nspectrum = F11\n[lamp.2]\nspectrum = A\n");
+    EXPECT_FALSE(exhibit.objects.at(0).material.full_resolution);
+    EXPECT_TRUE(exhibit.objects.at(1).material.full_resolution);
+    ASSERT_EQ(exhibit.materials.size(), 1u);
+    EXPECT_EQ(exhibit.materials.begin()->first, exhibit.objects.at(1).material.key);
+    EXPECT_EQ(exhibit.materials.begin()->second.name, "cc-blue");
+    EXPECT_FALSE(exhibit.lamps.at(0).full_resolution);
+    EXPECT_TRUE(exhibit.lamps.at(1).full_resolution);
+}
+
+TEST(Rows, WithoutAFileEveryMaterialIsKeptAtFullResolution) {
+    const Exhibit exhibit = exhibit_of("[scene]\nkind = media\n");
+    std::vector<std::string> names;
+    for (const auto& [key, material] : exhibit.materials) {
+        EXPECT_EQ(exhibit.atlas.materials.at(static_cast<std::size_t>(key)).name, material.name);
+        names.push_back(material.name);
+    }
+    EXPECT_THAT(names, testing::UnorderedElementsAre("rgb:FFFFFF", "glass-cobalt", "liquid-allura-red"));
 }
 
 TEST_F(RowsOfAFile, ItsOwnMaterialsAreShownByDefault) {
