@@ -67,6 +67,8 @@ TEST(Keys, RangesAreTold) {
     EXPECT_EQ(range_text(*find_key("lamp.1", "falloff")), "3 numbers, 0 .. 1000000");
     EXPECT_EQ(range_text(*find_key("accuracy", "method")),
               "auto, rgb, tristimulus, spectral, prefiltered, packed, reduced, folded");
+    EXPECT_EQ(range_text(*find_key("accuracy", "tolerance")), "0.01 .. 100 CIEDE2000");
+    EXPECT_EQ(range_text(*find_key("object.NAME", "thickness")), "0 .. 1000");
     EXPECT_EQ(plain_number(0.25), "0.25");
 }
 

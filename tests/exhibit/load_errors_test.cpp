@@ -43,9 +43,19 @@ TEST(LoadErrors, Display) {
         {"[display]\ntransfer = gamma\n", "2: transfer = gamma is none of srgb, none"},
         {"[display]\nadaptation = bradfort\n",
          "2: adaptation = bradfort is none of none, bradford; did you mean \"bradford\"?"},
+        {"[display]\ngamut = clop\n", "2: gamut = clop is none of clip, keep-hue; did you mean \"clip\"?"},
+        {"[display]\ncolor_depth = 18\n", "2: color_depth = 18 is none of 24, 16; did you mean \"16\"?"},
+        {"[display]\ndither = a bit\n", "2: dither = a bit is neither yes nor no"},
+        {"[accuracy]\ntolerance = 0\n", "2: tolerance = 0 is below 0.01; it may be 0.01 .. 100 CIEDE2000"},
+        {"[accuracy]\ntolerance = 101\n", "2: tolerance = 101 is above 100; it may be 0.01 .. 100 CIEDE2000"},
+        {"[accuracy]\ntolerance = nan\n", "2: tolerance = nan is no number; it may be 0.01 .. 100 CIEDE2000"},
+        {"[accuracy]\ntaps = 7\n", "2: taps = 7 is none of 4, 6, 8, 12, 16, 24, 32"},
         {"[display]\nsupersample = 3\n", "2: supersample = 3 is above 2; it may be 1 .. 2"},
-        {"[accuracy]\nmethod = spectal\n",
-         "2: method = spectal is none of rgb, tristimulus, spectral; did you mean \"spectral\"?"},
+        {"[atlas]\nquantization = wighted\n",
+         "2: quantization = wighted is none of thesis, weighted; did you mean \"weighted\"?"},
+        {"[accuracy]\nmethod = spectal\n", "2: method = spectal is none of auto, rgb, tristimulus, spectral, "
+                                           "prefiltered, packed, reduced, folded; "
+                                           "did you mean \"spectral\"?"},
         {"[atlas]\nfile = none.png\n", "2: file = none.png: there is no such file"},
     });
 }
@@ -54,7 +64,6 @@ TEST(LoadErrors, KeysOfLaterIssuesAreUnknown) {
     expect_messages({
         {"[display]\nfullscreen = yes\n", "2: unknown key \"fullscreen\" in [display]"},
         {"[display]\nicc = a.icc\n", "2: unknown key \"icc\" in [display]"},
-        {"[accuracy]\ntolerance = 1\n", "2: unknown key \"tolerance\" in [accuracy]"},
         {"[kiosk]\nidle_s = 3\n", "1: unknown section [kiosk]"},
     });
 }
@@ -71,7 +80,7 @@ TEST(LoadErrors, Lamps) {
         {"[lamp.1]\nstrength = nan\n", "2: strength = nan is no number; it may be 0 .. 1000000"},
         {"[lamp.1]\nstrength = 1,5\n", "2: strength = 1,5 is no number; it may be 0 .. 1000000"},
         {"[lamp.1]\nposition = 1 2\n",
-         "2: position = 1 2 is 2 numbers; it may be 3 numbers, -1000 .. 1000 scene units"},
+         "2: position = 1 2 is 2 numbers; it may be 3 numbers, -100 .. 100 scene units"},
         {"[lamp.1]\ndirection = 0 0 0\n", "2: direction = 0 0 0 has no length: light must travel somewhere"},
         {"[lamp.1]\nposition = 1 2 3\ndirection = 0 0 1\n",
          "3: [lamp.1] has a direction and, at k.ini:2, a position; one of them"},
@@ -94,8 +103,8 @@ TEST(LoadErrors, Lamps) {
 
 TEST(LoadErrors, SceneAndObjects) {
     expect_messages({
-        {"[scene]\nkind = loaff\n",
-         "2: kind = loaff is none of loaf, crayons, still-life, ramp, patches; did you mean \"loaf\"?"},
+        {"[scene]\nkind = loaff\n", "2: kind = loaff is none of loaf, crayons, still-life, ramp, patches, "
+                                    "media, corner; did you mean \"loaf\"?"},
         {"[scene]\nmaterials = crayon-rod\n",
          "2: materials = crayon-rod: the library has no such material; did you mean \"crayon-red\"?"},
         {"[scene]\nmaterials = cc-red, crayon-rod\n",
@@ -125,6 +134,39 @@ TEST(LoadErrors, SceneAndObjects) {
         {"[scene]\nmaterials = cc-red, cc-blue\n[object.crayon-1]\nkey_map = maps/beach-ball.png\n",
          "4: key_map = maps/beach-ball.png has key 3 at pixel 64, 8; no material has that key"},
     });
+}
+
+TEST(LoadErrors, MediaAndCorners) {
+    const std::string media = "[scene]\nkind = media\n", corner = "[scene]\nkind = corner\n";
+    const std::pair<std::string, const char*> cases[] = {
+        {"[object.crayon-1]\nmedium = glass-cobalt\n",
+         "2: medium = glass-cobalt is for the glass and the liquid of scene media"},
+        {media + "[object.board]\nmedium = glass-cobalt\n",
+         "4: medium = glass-cobalt is for the glass and the liquid of scene media"},
+        {media + "[object.board]\nthickness = 1\n",
+         "4: thickness = 1 is for the glass and the liquid of scene media"},
+        {corner + "[object.left]\nthickness = 1\n",
+         "4: thickness = 1 is for the glass and the liquid of scene media"},
+        {media + "[object.wedge]\nthickness = -1\n", "4: thickness = -1 is below 0; it may be 0 .. 1000"},
+        {media + "[object.wedge]\nthickness = 1001\n",
+         "4: thickness = 1001 is above 1000; it may be 0 .. 1000"},
+        {media + "[object.wedge]\nmedium = glass-cobald\n",
+         "4: medium = glass-cobald: the library has no such material; did you mean \"glass-cobalt\"?"},
+        {media + "[object.wedge]\nluminance_map = maps/weave.png\n",
+         "4: luminance_map = maps/weave.png cannot be carried by the things of scene media"},
+        {corner + "[object.left]\nbump = maps/weave.png\n",
+         "4: bump = maps/weave.png cannot be carried by the things of scene corner"},
+        {corner + "[object.right]\nkey_map = maps/beach-ball.png\n",
+         "4: key_map = maps/beach-ball.png cannot be carried by the things of scene corner"},
+        {corner + "[lamp.1]\nposition = 1 1 1\n", "4: position = 1 1 1 is not for scene corner, whose walls "
+                                                  "are lit evenly: give the lamp a direction"},
+        {corner + "materials = crayons\n",
+         "3: materials = crayons is 15 materials; scene corner takes exactly 2"},
+    };
+    for (const auto& [text, message] : cases)
+        EXPECT_EQ(error_of([&] { exhibit_of(text); }), std::string("cannot read k.ini:") + message) << text;
+    EXPECT_EQ(error_of([&] { exhibit_of(corner + "[lamp.1]\ndirection = 1 -1 -1\nshadow = yes\n"); }),
+              "no error");
 }
 
 TEST(LoadErrors, Compare) {
@@ -211,6 +253,10 @@ TEST(LoadErrors, ValuesAtTheirLimitsAreTaken) {
                             "lamp.1.strength=1e6",
                             "display.supersample=1",
                             "display.supersample=2",
+                            "accuracy.tolerance=0.01",
+                            "accuracy.tolerance=100",
+                            "accuracy.taps=4",
+                            "accuracy.taps=32",
                             "object.crayon-1.specular=0",
                             "object.crayon-1.specular=1",
                             "object.crayon-1.shininess=1",
@@ -220,7 +266,7 @@ TEST(LoadErrors, ValuesAtTheirLimitsAreTaken) {
                             "compare.split=0px",
                             "compare.split=1280px",
                             "compare.line=64",
-                            "lamp.1.position=-1000 0 1000",
+                            "lamp.1.position=-100 0 100",
                             "scene.materials=single",
                             "scene.materials=cc-red"})
         EXPECT_EQ(error_of([&] { exhibit_of("", {set}); }), "no error") << set;

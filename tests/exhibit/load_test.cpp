@@ -51,6 +51,58 @@ TEST(Load, Display) {
     EXPECT_EQ(d.supersample, 2);
 }
 
+TEST(Load, GamutDepthAndDithering) {
+    const Display d = exhibit_of("[display]\ngamut = Keep-Hue\ncolor_depth = 16\ndither = yes\n").display;
+    EXPECT_EQ(d.gamut, Gamut::keep_hue);
+    EXPECT_EQ(d.color_depth_bits, 16);
+    EXPECT_TRUE(d.dither);
+    EXPECT_EQ(exhibit_of("[display]\ngamut = clip\ncolor_depth = 24\n").display.color_depth_bits, 24);
+}
+
+TEST(Load, AutoIsAMethodToo) {
+    const Exhibit exhibit = exhibit_of(
+        "[accuracy]\nmethod = packed\ntolerance = 0.25\ntaps = 12\n[object.crayon-1]\nmethod = auto\n"
+        "[compare]\nleft.method = Auto\n");
+    EXPECT_EQ(exhibit.accuracy.method, MethodChoice(Method::packed));
+    EXPECT_EQ(exhibit.accuracy.tolerance, 0.25);
+    EXPECT_EQ(exhibit.accuracy.taps, 12);
+    ASSERT_TRUE(exhibit.objects.at(0).method) << "auto was asked for";
+    EXPECT_FALSE(*exhibit.objects.at(0).method);
+    EXPECT_FALSE(exhibit.objects.at(1).method) << "nothing was asked for";
+    ASSERT_TRUE(exhibit.compare->left.method);
+    EXPECT_FALSE(*exhibit.compare->left.method);
+    EXPECT_FALSE(exhibit.compare->right.method);
+    for (const MethodInfo& info : kMethods)
+        EXPECT_EQ(exhibit_of("", {"accuracy.method=" + std::string(info.name)}).accuracy.method,
+                  MethodChoice(info.method));
+}
+
+TEST(Load, MediaHaveGlassALiquidAndTheirThickness) {
+    const Exhibit plain = exhibit_of("[scene]\nkind = media\n");
+    ASSERT_EQ(plain.objects.size(), 3u);
+    EXPECT_FALSE(plain.objects[0].medium) << "the light box";
+    EXPECT_EQ(plain.objects[1].medium->material.name, "glass-cobalt");
+    EXPECT_EQ(plain.objects[1].thickness, 4);
+    EXPECT_EQ(plain.objects[2].medium->material.name, "liquid-allura-red");
+    const Exhibit own = exhibit_of("[scene]\nkind = media\n[object.wedge]\nmedium = liquid-copper\n"
+                                   "thickness = 2.5\n[object.vessel]\nthickness = 0\n");
+    EXPECT_EQ(own.objects[1].medium->material.name, "liquid-copper");
+    EXPECT_EQ(own.atlas.materials.at(static_cast<std::size_t>(own.objects[1].medium->key)).name,
+              "liquid-copper");
+    EXPECT_EQ(own.objects[1].thickness, 2.5);
+    EXPECT_EQ(own.objects[2].thickness, 0);
+    EXPECT_EQ(own.objects[2].medium->material.name, "liquid-allura-red");
+}
+
+TEST(Load, ACornerIsTwoWalls) {
+    const Exhibit exhibit = exhibit_of("[scene]\nkind = corner\nmaterials = cc-red, cc-white\n");
+    ASSERT_EQ(exhibit.objects.size(), 2u);
+    EXPECT_EQ(exhibit.objects[0].name, "left");
+    EXPECT_EQ(exhibit.objects[0].material.material.name, "cc-red");
+    EXPECT_EQ(exhibit.objects[1].name, "right");
+    EXPECT_EQ(exhibit.objects[1].material.material.name, "cc-white");
+}
+
 TEST(Load, AMatrixIsWrittenRowByRow) {
     const Display d = exhibit_of("[display]\nmatrix = 1 2 3, 0 1 4  5,6 ,0\n").display;
     ASSERT_TRUE(d.matrix);

@@ -8,8 +8,10 @@
 namespace metamer {
 namespace {
 
+// Thesis rows, which take no time: it is not the fit of levels that is tested here.
 constexpr const char* kGood =
-    "; comment\n[display]\nwidth = 640\nmatrix = 3 -1 0 -1 2 0 0 0 1\n[scene]\n"
+    "; comment\n[display]\nwidth = 640\nmatrix = 3 -1 0 -1 2 0 0 0 1\ngamut = keep-hue\ncolor_depth = 16\n"
+    "dither = yes\n[accuracy]\ntolerance = 0.25\n[atlas]\nquantization = thesis\n[scene]\n"
     "kind = loaf\nmaterials = cc-red, cc-blue, gauss:530:20\n[lamp.1]\nspectrum = F11\n"
     "position = 1 2 3\nfalloff = 1 0 0.5\nshadow = yes\n[lamp.2]\nspectrum = planck:2856\n"
     "direction = 0 -1 -1\n[object.slice-2]\nmaterial = cc-green\nmethod = rgb\n"

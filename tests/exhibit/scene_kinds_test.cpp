@@ -40,7 +40,8 @@ TEST(SceneKinds, ARampMixesThreeWays) {
         EXPECT_EQ(ramp.material_end, "b");
     }
     EXPECT_EQ(ramps[0].name, "ramp-reflectance");
-    EXPECT_FALSE(ramps[0].method) << "as the half or the exhibit says";
+    ASSERT_TRUE(ramps[0].method);
+    EXPECT_FALSE(*ramps[0].method) << "auto: whatever mixes reflectances, whatever the halves ask for";
     EXPECT_EQ(ramps[1].name, "ramp-xyz");
     EXPECT_EQ(ramps[1].method, MethodChoice(Method::tristimulus));
     EXPECT_EQ(ramps[2].name, "ramp-rgb");
