@@ -1,25 +1,32 @@
-#include "render/half_view.h"
+#include "plan/half_view.h"
 
 #include <gtest/gtest.h>
 
 #include "base/error.h"
 #include "frames/frames.h"
 #include "methods/three_numbers.h"
+#include "render/draws.h"
 
 namespace metamer {
 namespace {
 
-TEST(MethodOf, TheObjectsOwnBeatsTheHalfsBeatsTheExhibits) {
+TEST(ChoiceOf, TheObjectsOwnBeatsTheHalfsBeatsTheExhibits) {
     Exhibit exhibit;
-    exhibit.method = Method::rgb;
     Half half;
     ObjectSetting object;
-    EXPECT_EQ(method_of(exhibit, nullptr, object), Method::rgb);
-    EXPECT_EQ(method_of(exhibit, &half, object), Method::rgb);
-    half.method = Method::tristimulus;
-    EXPECT_EQ(method_of(exhibit, &half, object), Method::tristimulus);
-    object.method = Method::spectral;
-    EXPECT_EQ(method_of(exhibit, &half, object), Method::spectral);
+    EXPECT_EQ(choice_of(exhibit, &half, object), std::nullopt) << "the planner's";
+    exhibit.accuracy.method = Method::rgb;
+    EXPECT_EQ(choice_of(exhibit, nullptr, object), Method::rgb);
+    EXPECT_EQ(choice_of(exhibit, &half, object), Method::rgb);
+    half.method = MethodChoice(Method::tristimulus);
+    EXPECT_EQ(choice_of(exhibit, &half, object), Method::tristimulus);
+    half.method = MethodChoice();
+    EXPECT_EQ(choice_of(exhibit, &half, object), std::nullopt) << "auto, asked for";
+    object.method = MethodChoice(Method::spectral);
+    EXPECT_EQ(choice_of(exhibit, &half, object), Method::spectral);
+    object.method = MethodChoice();
+    half.method = MethodChoice(Method::rgb);
+    EXPECT_EQ(choice_of(exhibit, &half, object), std::nullopt) << "auto, asked for";
 }
 
 Exhibit patches(const std::string& rest) {
@@ -27,7 +34,7 @@ Exhibit patches(const std::string& rest) {
 }
 
 std::vector<HalfView> views_of(const Exhibit& exhibit) {
-    return half_views(exhibit, build_scene(exhibit));
+    return half_views(exhibit);
 }
 
 TEST(HalfViews, WithoutComparisonThereIsOne) {
@@ -81,20 +88,18 @@ TEST(HalfViews, TheTransferIsTheDisplays) {
 }
 
 TEST(HalfViews, LampsWithoutAPlaceStandWhereTheSceneWantsThem) {
-    const Exhibit exhibit = exhibit_of(
-        "[scene]\nkind = still-life\n[lamp.1]\nspectrum = A\n[lamp.2]\nspectrum = "
-        "F11\n[lamp.3]\nspectrum = E\nposition = 1 2 3\nfalloff = 0.5 0.25 2\n[lamp.4]\nspectrum = "
-        "E\ndirection = 0 -1 0\n");
+    const Exhibit exhibit =
+        exhibit_of("[scene]\nkind = still-life\n[lamp.1]\nspectrum = A\n[lamp.2]\nspectrum = "
+                   "F11\n[lamp.3]\nspectrum = E\nposition = 1 2 3\n[lamp.4]\nspectrum = "
+                   "E\ndirection = 0 -1 0\n");
     const Scene scene = build_scene(exhibit);
-    const auto lamps = half_views(exhibit, scene)[0].lamps;
+    const auto lamps = half_views(exhibit)[0].lamps;
     ASSERT_EQ(lamps.size(), 4u);
-    EXPECT_EQ(lamps[0].place, glm::vec4(scene.lamp_directions[0], 0));
-    EXPECT_EQ(lamps[1].place, glm::vec4(scene.lamp_directions[1], 0));
-    EXPECT_EQ(lamps[2].place, glm::vec4(1, 2, 3, 1));
-    EXPECT_EQ(lamps[2].falloff.constant, 0.5);
-    EXPECT_EQ(lamps[2].falloff.linear, 0.25);
-    EXPECT_EQ(lamps[2].falloff.quadratic, 2);
-    EXPECT_EQ(lamps[3].place, glm::vec4(0, 1, 0, 0)) << "light falls down, the lamp is up";
+    const auto place = [&](std::size_t lamp) { return lamp_place(exhibit, lamps[lamp], scene); };
+    EXPECT_EQ(place(0), glm::vec4(scene.lamp_directions[0], 0));
+    EXPECT_EQ(place(1), glm::vec4(scene.lamp_directions[1], 0));
+    EXPECT_EQ(place(2), glm::vec4(1, 2, 3, 1));
+    EXPECT_EQ(place(3), glm::vec4(0, 1, 0, 0)) << "light falls down, the lamp is up";
 }
 
 TEST(HalfViews, FlatScenesHaveNoShadows) {

@@ -4,9 +4,9 @@
 #include <stdexcept>
 
 #include "frames/frames.h"
-#include "methods/pair.h"
-#include "render/half_view.h"
+#include "frames/twin.h"
 #include "render/surface_maps.h"
+#include "render/tables.h"
 #include "render/variants.h"
 
 namespace metamer {
@@ -21,19 +21,17 @@ Exhibit wall_by(const std::string& method) {
 }
 
 ObjectSetting& wall(Exhibit& exhibit) {
-    for (ObjectSetting& object : exhibit.objects)
-        if (object.name == "wall")
-            return object;
-    throw std::logic_error("there is no wall");
+    return object_of(exhibit, "wall");
 }
 
-EncodedRgb8 twin(const Exhibit& exhibit, int key, double luminance = 1, double cosine = 1) {
-    const HalfView view = half_views(exhibit, build_scene(exhibit)).front();
-    Reflectance material = reflectance(exhibit.atlas, key);
-    for (double& r : material.value)
-        r *= luminance;
-    return pair_rgb8<double>(exhibit.method, view.lamps[0].emission, cosine, material,
-                             observer(exhibit.atlas), view.output);
+/// What the wall shows where it is of this material; a luminance map scales its light as a cosine does.
+EncodedRgb8 twin(Exhibit& exhibit, int key, double luminance = 1, double cosine = 1) {
+    const Twin twin(exhibit);
+    Pixel pixel = twin.pixel_on(wall(exhibit));
+    pixel.material = twin.spectra().material(key);
+    for (PixelLamp& lamp : pixel.lamps)
+        lamp.light.diffuse = luminance * cosine;
+    return twin.rgb8(wall(exhibit), pixel);
 }
 
 Image two_texels(std::uint8_t left, std::uint8_t right) {
@@ -43,10 +41,10 @@ Image two_texels(std::uint8_t left, std::uint8_t right) {
 // The wall fills the frame's upper corners; its left half shows the map's left texel.
 constexpr int kLeftX = 15, kRightX = 144, kTopY = 8;
 
-class MapsBy : public testing::TestWithParam<const char*> {};
+class MapsBy : public testing::TestWithParam<MethodInfo> {};
 
 TEST_P(MapsBy, KeysNameMaterials) {
-    Exhibit exhibit = wall_by(GetParam());
+    Exhibit exhibit = wall_by(std::string(GetParam().name));
     wall(exhibit).key_map = two_texels(1, 2);
     const Image image = frame_of(exhibit);
     EXPECT_LE(steps(pixel(image, kLeftX, kTopY), twin(exhibit, 1)), 1);
@@ -56,7 +54,7 @@ TEST_P(MapsBy, KeysNameMaterials) {
 
 TEST_P(MapsBy, ThePicturesTopIsTheTop) {
     // The frame shows the wall's lower half: the third and the fourth of four rows.
-    Exhibit exhibit = wall_by(GetParam());
+    Exhibit exhibit = wall_by(std::string(GetParam().name));
     wall(exhibit).key_map = Image{1, 4, {3, 0, 0, 255, 3, 0, 0, 255, 1, 0, 0, 255, 2, 0, 0, 255}};
     const Image image = frame_of(exhibit);
     EXPECT_LE(steps(pixel(image, 3, kTopY), twin(exhibit, 1)), 1);
@@ -64,7 +62,7 @@ TEST_P(MapsBy, ThePicturesTopIsTheTop) {
 }
 
 TEST_P(MapsBy, WhatHasNoKeyMapKeepsItsMaterial) {
-    Exhibit exhibit = wall_by(GetParam());
+    Exhibit exhibit = wall_by(std::string(GetParam().name));
     wall(exhibit).material.key = 2;
     wall(exhibit).luminance_map = Image{1, 1, {255, 0, 0, 255}};
     EXPECT_LE(steps(pixel(frame_of(exhibit), kLeftX, kTopY), twin(exhibit, 2)), 1);
@@ -83,7 +81,7 @@ Image slope(bool upwards) {
 TEST_P(MapsBy, ASlopeIsLitAsItIsTilted) {
     const double height = 0.4;
     for (bool upwards : {false, true}) {
-        Exhibit exhibit = wall_by(GetParam());
+        Exhibit exhibit = wall_by(std::string(GetParam().name));
         exhibit.lamps[0].direction = {-0.6, -0.48, -0.64}; // from the right, from above, from the front
         wall(exhibit).bump_map = slope(upwards);
         wall(exhibit).bump = height;
@@ -98,7 +96,7 @@ TEST_P(MapsBy, ASlopeIsLitAsItIsTilted) {
 
 // Between a level texel and a steep one the normal passes the lamp's direction, at its full length.
 TEST_P(MapsBy, NormalsBetweenTexelsAreOfUnitLength) {
-    Exhibit exhibit = wall_by(GetParam());
+    Exhibit exhibit = wall_by(std::string(GetParam().name));
     Image& heights = wall(exhibit).bump_map.emplace(Image{4, 1, {}});
     for (const int height : {0, 128, 255, 128})
         heights.rgba.insert(heights.rgba.end(), {static_cast<std::uint8_t>(height), 0, 0, 255});
@@ -115,7 +113,7 @@ TEST_P(MapsBy, NormalsBetweenTexelsAreOfUnitLength) {
 
 // A key is a name: between 1 and 3 lies no 2.
 TEST_P(MapsBy, KeysAreNotMixed) {
-    Exhibit exhibit = wall_by(GetParam());
+    Exhibit exhibit = wall_by(std::string(GetParam().name));
     wall(exhibit).key_map = two_texels(1, 3);
     const Image image = frame_of(exhibit);
     const EncodedRgb8 one = twin(exhibit, 1), three = twin(exhibit, 3);
@@ -124,14 +122,14 @@ TEST_P(MapsBy, KeysAreNotMixed) {
 }
 
 TEST_P(MapsBy, LuminanceScalesReflectance) {
-    Exhibit exhibit = wall_by(GetParam());
+    Exhibit exhibit = wall_by(std::string(GetParam().name));
     wall(exhibit).luminance_map = Image{1, 1, {128, 128, 128, 255}};
     const int key = wall(exhibit).material.key;
     EXPECT_LE(steps(pixel(frame_of(exhibit), kLeftX, kTopY), twin(exhibit, key, 128.0 / 255)), 1);
 }
 
 TEST_P(MapsBy, AFlatBumpMapChangesNothing) {
-    Exhibit exhibit = wall_by(GetParam());
+    Exhibit exhibit = wall_by(std::string(GetParam().name));
     exhibit.lamps[0].direction = {-1, 0, -0.02}; // so low that a hundredth of tilt would show
     exhibit.lamps[0].strength = 20;
     const Image plain = frame_of(exhibit);
@@ -142,8 +140,8 @@ TEST_P(MapsBy, AFlatBumpMapChangesNothing) {
     EXPECT_LE(steps(pixel(plain, kLeftX, kTopY), pixel(bumped, kLeftX, kTopY)), 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, MapsBy, testing::Values("rgb", "tristimulus", "spectral"),
-                         [](const auto& method) { return std::string(method.param); });
+INSTANTIATE_TEST_SUITE_P(Methods, MapsBy, testing::ValuesIn(kMethods),
+                         [](const auto& method) { return std::string(method.param.name); });
 
 TEST(Bump, ASlopeTiltsTheNormal) {
     // Heights that rise by one map width over one map width: 45 degrees.
@@ -170,10 +168,10 @@ TEST(Bump, UphillLooksDown) {
     EXPECT_NEAR((normals.rgba[6] - 128) / 127.0, std::sqrt(0.5), 0.005);
 }
 
-TEST(MaterialMap, HoldsNumbersToASixteenBitStep) {
+TEST(ProductTable, HoldsNumbersToASixteenBitStep) {
     const Exhibit exhibit = wall_by("rgb");
-    const HalfView view = half_views(exhibit, build_scene(exhibit)).front();
-    const Image map = material_map(Method::rgb, exhibit.atlas, view.output);
+    const HalfView view = half_views(exhibit).front();
+    const Image map = product_table(Method::rgb, ExhibitSpectra(exhibit), view.output);
     for (int key = 1; key <= 3; ++key) {
         const auto numbers = material_numbers(Method::rgb, reflectance(exhibit.atlas, key),
                                               observer(exhibit.atlas), view.output);
@@ -185,16 +183,49 @@ TEST(MaterialMap, HoldsNumbersToASixteenBitStep) {
     }
 }
 
-TEST(MaterialMap, ClampsWhatItsCodesCannotHold) {
+TEST(ProductTable, ClampsWhatItsCodesCannotHold) {
     const Exhibit exhibit = wall_by("rgb");
-    OutputSpace output = half_views(exhibit, build_scene(exhibit)).front().output;
+    OutputSpace output = half_views(exhibit).front().output;
     output.rgb_from_xyz = Matrix3::diagonal(1000, -1000, 0.5);
-    const Image map = material_map(Method::rgb, exhibit.atlas, output);
+    const Image map = product_table(Method::rgb, ExhibitSpectra(exhibit), output);
     const std::uint8_t* row = &map.rgba[8]; // key 1
     EXPECT_EQ(row[0], 255);
     EXPECT_EQ(row[4], 255);
     EXPECT_EQ(row[1], 0);
     EXPECT_EQ(row[5], 0);
+}
+
+/// Two materials mixed as the ramp of reflectances mixes them.
+struct Mixed {
+    Mixed(const Layer& a, const Layer& b, double t) : full(full_values(a)) {
+        for (std::size_t i = 0; i < kIntervals; ++i)
+            row.value[i] = (1 - t) * a.row->value[i] + t * b.row->value[i];
+        const std::vector<double> end = full_values(b);
+        for (std::size_t i = 0; i < full.size(); ++i)
+            full[i] = (1 - t) * full[i] + t * end[i];
+    }
+    Layer layer(bool at_full_resolution) const { return {&row, at_full_resolution ? &full : nullptr}; }
+
+    Reflectance row;
+    std::vector<double> full;
+};
+
+/// The third bar: code values are mixed, as a paint program does.
+EncodedRgb8 mixed_codes(const Twin& twin, const ObjectSetting& ramp, double t) {
+    const OutputSpace& output = twin.view().output;
+    const auto numbers = [&](const MaterialSetting& material) {
+        return material_numbers(Method::rgb, *twin.spectra().material(material.key).row,
+                                twin.spectra().seen(), output);
+    };
+    const auto begin = numbers(ramp.material), end = numbers(*ramp.material_end);
+    const HalfLamp& lamp = twin.view().lamps[0];
+    const auto of_lamp = lamp_numbers(Method::rgb, lamp.emission, twin.spectra().seen(), output);
+    std::array<double, 3> c{};
+    for (std::size_t k = 0; k < 3; ++k)
+        c[k] = lamp.strength * of_lamp[k] *
+               decode(output.transfer,
+                      (1 - t) * encode(output.transfer, begin[k]) + t * encode(output.transfer, end[k]));
+    return encode_rgb8(output.transfer, LinearRgb{c[0], c[1], c[2]});
 }
 
 void compare_ramp(const std::string& materials, double strength, const std::vector<int>& columns,
@@ -204,32 +235,25 @@ void compare_ramp(const std::string& materials, double strength, const std::vect
                    "\n[lamp.1]\nspectrum = F11\n");
     exhibit.lamps[0].strength = strength;
     exhibit.display.transfer = transfer;
-    const Image image = frame_of(exhibit);
-    const HalfView view = half_views(exhibit, build_scene(exhibit)).front();
-    const GridObserver seen_by = observer(exhibit.atlas);
-    const Emission& lamp = view.lamps[0].emission;
-    const Reflectance a = reflectance(exhibit.atlas, exhibit.objects[0].material.key);
-    const Reflectance b = reflectance(exhibit.atlas, exhibit.objects[0].material_end->key);
-    for (int x : columns) {
-        const double t = (x + 0.5) / 256;
-        Reflectance mixed;
-        for (std::size_t i = 0; i < kIntervals; ++i)
-            mixed.value[i] = (1 - t) * a.value[i] + t * b.value[i];
-        for (int bar = 0; bar < 2; ++bar) {
-            const Method method = bar == 0 ? Method::spectral : Method::tristimulus;
-            EXPECT_LE(steps(pixel(image, x, bar * 32 + 16),
-                            pair_rgb8<double>(method, lamp, strength, mixed, seen_by, view.output)),
-                      1)
-                << x << ' ' << bar;
+    for (const MethodInfo& info : kMethods) {
+        if (info.method != Method::rgb) // which mixes code values whatever the bar
+            exhibit.objects[0].method = info.method;
+        const Image image = frame_of(exhibit);
+        const Twin twin(exhibit);
+        const Layer a = twin.spectra().material(exhibit.objects[0].material.key);
+        const Layer b = twin.spectra().material(exhibit.objects[0].material_end->key);
+        for (int x : columns) {
+            const double t = (x + 0.5) / 256;
+            const Mixed mixed(a, b, t);
+            for (int bar = 0; bar < 2; ++bar) {
+                const ObjectSetting& ramp = exhibit.objects[static_cast<std::size_t>(bar)];
+                Pixel seen = twin.pixel_on(ramp);
+                seen.material = mixed.layer(a.full && b.full);
+                EXPECT_LE(steps(pixel(image, x, bar * 32 + 16), twin.rgb8(ramp, seen)), 1)
+                    << info.name << ' ' << x << ' ' << bar;
+            }
+            EXPECT_LE(steps(pixel(image, x, 80), mixed_codes(twin, exhibit.objects[2], t)), 1) << x;
         }
-        const auto begin = material_numbers(Method::rgb, a, seen_by, view.output);
-        const auto end = material_numbers(Method::rgb, b, seen_by, view.output);
-        const auto of_lamp = lamp_numbers(Method::rgb, lamp, seen_by, view.output);
-        std::array<double, 3> c{};
-        for (std::size_t k = 0; k < 3; ++k)
-            c[k] = strength * of_lamp[k] *
-                   decode(transfer, (1 - t) * encode(transfer, begin[k]) + t * encode(transfer, end[k]));
-        EXPECT_LE(steps(pixel(image, x, 80), encode_rgb8(transfer, LinearRgb{c[0], c[1], c[2]})), 1) << x;
     }
 }
 

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "frames/frames.h"
-#include "methods/pair.h"
-#include "render/half_view.h"
+#include "frames/twin.h"
+#include "render/draws.h"
 
 namespace metamer {
 namespace {
@@ -32,37 +32,24 @@ std::array<double, 3> array_of(const Vector& v) {
 }
 
 /// The pixel that the twin expects at a point of a flat surface under the exhibit's lamps.
-EncodedRgb8 expected(const Exhibit& exhibit, const Scene& scene, const ObjectSetting& object,
-                     const Vector& at, const Vector& normal) {
-    const HalfView view = half_views(exhibit, scene).front();
+EncodedRgb8 expected(const Twin& twin, const Exhibit& exhibit, const Scene& scene,
+                     const ObjectSetting& object, const Vector& at, const Vector& normal) {
     const double aspect = static_cast<double>(exhibit.display.width_px) / exhibit.display.height_px;
-    SurfacePoint<double> point{.position = array_of(at),
-                               .normal = array_of(normal),
-                               .eye = array_of(Vector(view_of(scene.camera, aspect).eye)),
-                               .specular = object.specular,
-                               .shininess = object.shininess};
-    const Method method = exhibit.method;
-    const Reflectance material = reflectance(exhibit.atlas, object.material.key);
-    const GridObserver seen_by = observer(exhibit.atlas);
-    std::vector<LitEmission<double>> lit;
-    std::vector<LitColor<double>> colors;
-    for (const HalfLamp& lamp : view.lamps) {
-        const LampPlace<double> place{
-            .at = array_of(Vector(lamp.place)),
-            .directional = lamp.place.w == 0,
-            .falloff = {lamp.falloff.constant, lamp.falloff.linear, lamp.falloff.quadratic}};
-        const Light<double> light = arriving_light(place, point);
-        lit.push_back({&lamp.emission, lamp.strength, light});
-        auto color = lamp_numbers(method, lamp.emission, seen_by, view.output);
-        for (double& number : color)
-            number *= lamp.strength;
-        colors.push_back({color, light});
+    const SurfacePoint<double> point{.position = array_of(at),
+                                     .normal = array_of(normal),
+                                     .eye = array_of(Vector(view_of(scene.camera, aspect).eye)),
+                                     .specular = object.specular,
+                                     .shininess = object.shininess};
+    Pixel pixel = twin.pixel_on(object);
+    for (std::size_t l = 0; l < pixel.lamps.size(); ++l) {
+        const HalfLamp& lamp = twin.view().lamps[l];
+        const glm::vec4 place = lamp_place(exhibit, lamp, scene);
+        const Falloff& falloff = exhibit.lamps[lamp.setting].falloff;
+        pixel.lamps[l].light = arriving_light<double>(
+            {array_of(Vector(place)), place.w == 0, {falloff.constant, falloff.linear, falloff.quadratic}},
+            point);
     }
-    const auto [a, b, c] = product<double>(colors, material_numbers(method, material, seen_by, view.output));
-    if (method == Method::rgb)
-        return encode_rgb8(view.output.transfer, LinearRgb{a, b, c});
-    const Xyz xyz = method == Method::spectral ? spectral<double>(lit, material, seen_by) : Xyz{a, b, c};
-    return encode_rgb8(view.output.transfer, to_output(view.output.adapted_rgb_from_xyz(), xyz));
+    return twin.rgb8(object, pixel);
 }
 
 const double kRoot = std::sqrt(0.5);
@@ -72,18 +59,19 @@ void compare_right_face(const std::string& lamps, Method method) {
     Exhibit exhibit =
         exhibit_of("[display]\nwidth = 200\nheight = 160\n[scene]\nkind = loaf\nmaterials = cc-orange\n" +
                    lamps + "[object.slice-1]\nspecular = 0.3\nshininess = 20\n");
-    exhibit.method = method;
+    exhibit.accuracy.method = method;
     for (LampSetting& lamp : exhibit.lamps)
         if (lamp.direction)
             lamp.falloff = {1.25, 0.5, 0.5}; // no distance: the constant alone counts
     const Scene scene = build_scene(exhibit);
+    const Twin twins(exhibit);
     const Image image = frame_of(exhibit);
     const Vector normal(kRoot, 0, kRoot), on = normal;
     int bright = 0;
     for (const auto& [x, y] : {std::pair{104, 80}, {110, 60}, {120, 90}, {140, 50}, {150, 100}, {165, 70}}) {
         const Vector at = on_plane(exhibit, scene, x, y, on, normal);
         ASSERT_LT(std::abs(at.y), 0.93) << "the pixel shows the face";
-        const EncodedRgb8 twin = expected(exhibit, scene, exhibit.objects[0], at, normal),
+        const EncodedRgb8 twin = expected(twins, exhibit, scene, exhibit.objects[0], at, normal),
                           drawn = pixel(image, x, y);
         EXPECT_LE(steps(drawn, twin), 1)
             << method_name(method) << ' ' << x << ' ' << y << ": drawn " << int(drawn.r) << ' '
@@ -132,7 +120,7 @@ TEST(Shading, HighlightsEndWhereTheLightDoes) {
                    "[lamp.1]\nspectrum = D65\ndirection = 1 -0.2 -0.8\n[object.slice-1]\nspecular = "
                    "1\nshininess = 1\n");
     for (const MethodInfo& info : kMethods) {
-        exhibit.method = info.method;
+        exhibit.accuracy.method = info.method;
         const Image image = frame_of(exhibit);
         EXPECT_EQ(pixel(image, 150, 100), (EncodedRgb8{0, 0, 0})) << info.name;
         EXPECT_GT(pixel(image, 50, 100).r, 100) << "the other face is lit";
@@ -154,6 +142,7 @@ TEST(Shading, TheBallIsRound) {
                    "D65\nstrength = "
                    "0.5\ndirection = 0.2 -0.5 -1\n[object.ball]\nspecular = 0.9\nshininess = 120\n");
     const Scene scene = build_scene(exhibit);
+    const Twin twins(exhibit);
     const Image image = frame_of(exhibit);
     const auto ball = std::find_if(exhibit.objects.begin(), exhibit.objects.end(),
                                    [](const ObjectSetting& object) { return object.name == "ball"; });
@@ -168,8 +157,9 @@ TEST(Shading, TheBallIsRound) {
             const Vector at = nearest - std::sqrt(std::max(0.55 * 0.55 - miss * miss, 0.0)) * ray;
             if (miss > 0.5 || at.y < 0.65) // its rim, and where the orange stands before it
                 continue;
-            const EncodedRgb8 twin = expected(exhibit, scene, *ball, at, (at - center) / 0.55);
-            EXPECT_LE(steps(pixel(image, x, y), twin), 1) << x << ' ' << y;
+            const EncodedRgb8 twin = expected(twins, exhibit, scene, *ball, at, (at - center) / 0.55);
+            // Between its vertices a ball of triangles lies up to 0.002 of its radius inside the sphere.
+            EXPECT_LE(steps(pixel(image, x, y), twin), 2) << x << ' ' << y;
             brightest = std::max<int>(brightest, twin.b);
             ++pixels;
         }
@@ -197,12 +187,12 @@ TEST(Shading, NothingIsLitByNoLight) {
 }
 
 TEST(Shading, TheBrightestLightIsWhiteNotNothing) {
-    for (const char* method : {"rgb", "tristimulus", "spectral"}) {
+    for (const MethodInfo& info : kMethods) {
         const Image image = frame_of(
-            exhibit_of("[display]\nwidth = 64\nheight = 64\n[accuracy]\nmethod = " + std::string(method) +
+            exhibit_of("[display]\nwidth = 64\nheight = 64\n[accuracy]\nmethod = " + std::string(info.name) +
                        "\n[scene]\nkind = patches\nmaterials = cc-white\n[lamp.1]\nspectrum = "
                        "E\nstrength = 1000000\n"));
-        EXPECT_EQ(pixel(image, 32, 32), (EncodedRgb8{255, 255, 255})) << method;
+        EXPECT_EQ(pixel(image, 32, 32), (EncodedRgb8{255, 255, 255})) << info.name;
     }
 }
 
@@ -212,7 +202,7 @@ TEST(Shading, LightBeyondTheBoundIsTheTwins) {
         Exhibit exhibit =
             exhibit_of("[display]\nwidth = 64\nheight = 64\n[scene]\nkind = patches\nmaterials = "
                        "cc-white\n[lamp.1]\nspectrum = line:650\n");
-        exhibit.method = method;
+        exhibit.accuracy.method = method;
         EXPECT_EQ(pixel(frame_of(exhibit), 32, 32).g, 0) << method_name(method);
         exhibit.lamps[0].strength = 1e6;
         EXPECT_EQ(pixel(frame_of(exhibit), 32, 32).g, 255) << method_name(method);

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "frames/frames.h"
-#include "render/half_view.h"
+#include "render/scene.h"
 
 namespace metamer {
 namespace {

@@ -52,10 +52,21 @@ std::vector<test::GlslangInput> inputs_of(const std::vector<Stages>& all) {
     return inputs;
 }
 
-/// Every variant composed; with `mediump`, as a GPU without fragment highp sees it.
-std::vector<Stages> composed(bool mediump = false) {
+/// A method's variants, or, of no method, the shadow pass.
+std::vector<ShaderVariant> variants_of(MethodChoice method) {
+    if (!method)
+        return {shadow_variant()};
+    std::vector<ShaderVariant> variants;
+    for (const Variant& variant : all_variants())
+        if (variant.method == *method)
+            variants.push_back(shader_variant(variant));
+    return variants;
+}
+
+/// Them composed; with `mediump`, as a GPU without fragment highp sees them.
+std::vector<Stages> composed(MethodChoice method, bool mediump = false) {
     std::vector<Stages> all;
-    for (const ShaderVariant& variant : shader_variants()) {
+    for (const ShaderVariant& variant : variants_of(method)) {
         Stages stages{variant.name,
                       lamps_of(variant),
                       compose_shader(variant.vertex, variant.defines, shader_files()),
@@ -71,17 +82,14 @@ std::vector<Stages> composed(bool mediump = false) {
     return all;
 }
 
-const std::vector<Stages>& preprocessed() {
-    static const std::vector<Stages> all = [] {
-        std::vector<Stages> stages = composed();
-        const std::vector<std::string> texts = test::glslang_preprocessed(inputs_of(stages));
-        for (std::size_t i = 0; i < stages.size(); ++i) {
-            stages[i].vertex_tokens = test::tokens(texts[2 * i]);
-            stages[i].fragment_tokens = test::tokens(texts[2 * i + 1]);
-        }
-        return stages;
-    }();
-    return all;
+std::vector<Stages> preprocessed(MethodChoice method) {
+    std::vector<Stages> stages = composed(method);
+    const std::vector<std::string> texts = test::glslang_preprocessed(inputs_of(stages));
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        stages[i].vertex_tokens = test::tokens(texts[2 * i]);
+        stages[i].fragment_tokens = test::tokens(texts[2 * i + 1]);
+    }
+    return stages;
 }
 
 TEST(Variants, HaveNamesOfTheirOwnForFiles) {
@@ -97,15 +105,45 @@ TEST(Variants, HaveNamesOfTheirOwnForFiles) {
     EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
 }
 
-using VariantsInContext = test::GlTest;
+// Method by method: so that ctest may run them beside each other.
+std::vector<MethodChoice> parts() {
+    std::vector<MethodChoice> all{MethodChoice()};
+    for (const MethodInfo& info : kMethods)
+        all.emplace_back(info.method);
+    return all;
+}
+
+std::string part_name(const testing::TestParamInfo<MethodChoice>& info) {
+    return info.param ? std::string(method_name(*info.param)) : "shadow";
+}
+
+class VariantsInContext : public test::GlTest, public testing::WithParamInterface<MethodChoice> {};
+
+TEST(Variants, AreEachOfOneOfTheParts) {
+    std::size_t count = 0;
+    for (const MethodChoice& part : parts())
+        count += variants_of(part).size();
+    EXPECT_EQ(count, shader_variants().size());
+}
+
+void expect_within_the_context(const Stages& stages, const GlLimits& limits) {
+    const auto vertex = test::declarations(stages.vertex_tokens);
+    const auto fragment = test::declarations(stages.fragment_tokens);
+    EXPECT_THAT(vectors(fragment, "uniform"), Le(limits.max_fragment_uniform_vectors));
+    EXPECT_THAT(vectors(vertex, "uniform"), Le(limits.max_vertex_uniform_vectors));
+    EXPECT_THAT(vectors(vertex, "varying"), Le(limits.max_varying_vectors));
+    EXPECT_THAT(samplers(fragment), Le(limits.max_texture_image_units));
+}
 
 /// Compiles and links, and the counting below has seen everything that the driver sees.
-TEST_F(VariantsInContext, CompileAndLink) {
-    for (const Stages& stages : preprocessed()) {
+TEST_P(VariantsInContext, CompileAndLinkWithinItsLimits) {
+    const GlLimits limits = gl_info().limits;
+    for (const Stages& stages : preprocessed(GetParam())) {
         SCOPED_TRACE(stages.name);
         std::vector<Declaration> declared = test::declarations(stages.vertex_tokens);
         const std::vector<Declaration> fragment = test::declarations(stages.fragment_tokens);
         declared.insert(declared.end(), fragment.begin(), fragment.end());
+        expect_within_the_context(stages, limits);
         try {
             const Program program(stages.vertex, stages.fragment, kMeshAttributes);
             for (const ActiveUniform& active : program.active_uniforms()) {
@@ -120,59 +158,51 @@ TEST_F(VariantsInContext, CompileAndLink) {
     }
 }
 
-TEST_F(VariantsInContext, CompileAndLinkWithoutHighp) {
-    for (const Stages& stages : composed(true)) {
+TEST_P(VariantsInContext, CompileAndLinkWithoutHighp) {
+    for (const Stages& stages : composed(GetParam(), true)) {
         SCOPED_TRACE(stages.name);
         EXPECT_NO_THROW(Program(stages.vertex, stages.fragment, kMeshAttributes));
     }
 }
 
-TEST_F(VariantsInContext, StayWithinWhatTheContextOffers) {
-    const GlLimits limits = gl_info().limits;
-    for (const Stages& stages : preprocessed()) {
-        SCOPED_TRACE(stages.name);
-        const auto vertex = test::declarations(stages.vertex_tokens);
-        const auto fragment = test::declarations(stages.fragment_tokens);
-        EXPECT_THAT(vectors(fragment, "uniform"), Le(limits.max_fragment_uniform_vectors));
-        EXPECT_THAT(vectors(vertex, "uniform"), Le(limits.max_vertex_uniform_vectors));
-        EXPECT_THAT(vectors(vertex, "varying"), Le(limits.max_varying_vectors));
-        EXPECT_THAT(samplers(fragment), Le(limits.max_texture_image_units));
-    }
+INSTANTIATE_TEST_SUITE_P(Of, VariantsInContext, testing::ValuesIn(parts()), part_name);
+
+class VariantsAsText : public testing::TestWithParam<MethodChoice> {};
+
+void expect_within_the_budgets(const Stages& stages) {
+    const auto vertex = test::declarations(stages.vertex_tokens);
+    const auto fragment = test::declarations(stages.fragment_tokens);
+    EXPECT_THAT(vectors(fragment, "uniform"), Le(fragment_uniform_budget(stages.lamps)));
+    EXPECT_THAT(vectors(vertex, "uniform"), Le(kVertexUniformVectors));
+    EXPECT_THAT(vectors(vertex, "varying"), Le(kVaryingVectors));
+    EXPECT_THAT(vectors(fragment, "varying"), Le(kVaryingVectors));
+    EXPECT_THAT(vectors(vertex, "attribute"), Le(kAttributes));
+    EXPECT_THAT(samplers(fragment), Le(kTextureUnits));
+    EXPECT_EQ(samplers(vertex), 0);
 }
 
-TEST(Variants, StayWithinTheBudgetsOfEs2) {
-    for (const Stages& stages : preprocessed()) {
+TEST_P(VariantsAsText, StayWithinTheBudgetsOfEs2AndKeepTheRulesOfTheHouse) {
+    for (const Stages& stages : preprocessed(GetParam())) {
         SCOPED_TRACE(stages.name);
-        const auto vertex = test::declarations(stages.vertex_tokens);
-        const auto fragment = test::declarations(stages.fragment_tokens);
-        EXPECT_THAT(vectors(fragment, "uniform"), Le(fragment_uniform_budget(stages.lamps)));
-        EXPECT_THAT(vectors(vertex, "uniform"), Le(kVertexUniformVectors));
-        EXPECT_THAT(vectors(vertex, "varying"), Le(kVaryingVectors));
-        EXPECT_THAT(vectors(fragment, "varying"), Le(kVaryingVectors));
-        EXPECT_THAT(vectors(vertex, "attribute"), Le(kAttributes));
-        EXPECT_THAT(samplers(fragment), Le(kTextureUnits));
-        EXPECT_EQ(samplers(vertex), 0);
-    }
-}
-
-TEST(Variants, KeepTheRulesOfTheHouse) {
-    for (const Stages& stages : preprocessed()) {
-        EXPECT_THAT(test::broken_rules(Stage::vertex, stages.vertex_tokens), IsEmpty()) << stages.name;
-        EXPECT_THAT(test::broken_rules(Stage::fragment, stages.fragment_tokens), IsEmpty()) << stages.name;
+        expect_within_the_budgets(stages);
+        EXPECT_THAT(test::broken_rules(Stage::vertex, stages.vertex_tokens), IsEmpty());
+        EXPECT_THAT(test::broken_rules(Stage::fragment, stages.fragment_tokens), IsEmpty());
         EXPECT_NE(
             stages.fragment.text.find("#ifdef GL_FRAGMENT_PRECISION_HIGH\nprecision highp float;\n#else\n"
                                       "precision mediump float;\n#endif\n"),
             std::string::npos)
-            << stages.name << " does not choose its precision";
-        EXPECT_EQ(stages.vertex.text.find("#extension"), std::string::npos) << stages.name;
-        EXPECT_EQ(stages.fragment.text.find("#extension"), std::string::npos) << stages.name;
+            << "does not choose its precision";
+        EXPECT_EQ(stages.vertex.text.find("#extension"), std::string::npos);
+        EXPECT_EQ(stages.fragment.text.find("#extension"), std::string::npos);
     }
 }
 
-TEST(Variants, AreEssl100ToGlslang) {
-    EXPECT_EQ(test::glslang_complaints(inputs_of(composed())), "");
-    EXPECT_EQ(test::glslang_complaints(inputs_of(composed(true))), "");
+TEST_P(VariantsAsText, AreEssl100ToGlslang) {
+    EXPECT_EQ(test::glslang_complaints(inputs_of(composed(GetParam()))), "");
+    EXPECT_EQ(test::glslang_complaints(inputs_of(composed(GetParam(), true))), "");
 }
+
+INSTANTIATE_TEST_SUITE_P(Of, VariantsAsText, testing::ValuesIn(parts()), part_name);
 
 } // namespace
 } // namespace metamer

@@ -1,9 +1,11 @@
 #include "gles2/glslang.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <span>
 #include <sys/wait.h>
 
 #include "base/error.h"
@@ -53,11 +55,12 @@ Answer answer_of(const std::string& command) {
     return answer;
 }
 
-/// glslangValidator over all inputs at once, each followed by `ending`.
-Answer glslang(const std::string& options, const std::vector<GlslangInput>& inputs,
-               const std::string& ending) {
-    if (answer_of("glslangValidator --version").status != 0)
-        throw failure("run", "glslangValidator", "not installed (Debian: apt install glslang-tools)");
+/// A command line holds 128 KiB on Linux (MAX_ARG_STRLEN): names of some tens of bytes, this many at once.
+constexpr std::size_t kInputsAtOnce = 500;
+
+/// glslangValidator over these inputs, each followed by `ending`.
+Answer glslang_once(const std::string& options, std::span<const GlslangInput> inputs,
+                    const std::string& ending) {
     const ScratchFolder folder;
     std::string names;
     for (const GlslangInput& input : inputs) {
@@ -66,6 +69,20 @@ Answer glslang(const std::string& options, const std::vector<GlslangInput>& inpu
         names += " " + name;
     }
     return answer_of("cd '" + folder.path().string() + "' && glslangValidator " + options + names);
+}
+
+/// The same over any number; the status is that of the first that is not 0.
+Answer glslang(const std::string& options, std::span<const GlslangInput> inputs, const std::string& ending) {
+    if (answer_of("glslangValidator --version").status != 0)
+        throw failure("run", "glslangValidator", "not installed (Debian: apt install glslang-tools)");
+    Answer all{0, ""};
+    for (std::size_t at = 0; at < inputs.size(); at += kInputsAtOnce) {
+        const Answer answer =
+            glslang_once(options, inputs.subspan(at, std::min(kInputsAtOnce, inputs.size() - at)), ending);
+        all.status = all.status != 0 ? all.status : answer.status;
+        all.output += answer.output;
+    }
+    return all;
 }
 
 } // namespace
