@@ -21,8 +21,8 @@ void twin(benchmark::State& state) {
     sight.output.rgb_from_xyz = rgb_from_xyz(working_spaces()[0]);
     sight.output.white = &white_emission(working_spaces()[0]);
     Pixel pixel;
-    pixel.lamps = {{.row = &lamp}};
-    pixel.material = {.row = &material};
+    pixel.lamps.emplace_back().row = &lamp;
+    pixel.material.row = &material;
     const Taps taps = kMethod == Method::reduced ? taps_for(pixel, sight.tap_count) : Taps{};
     sight.taps = &taps;
     for (auto _ : state)
