@@ -47,7 +47,7 @@ void main() {
 #if MIRRORS
         color += u_lamp_color[l] * light[l].y;
 #endif
-        total += bounded(color);
+        total += part(color);
     }
     gl_FragColor = encode(total);
 }

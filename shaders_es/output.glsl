@@ -10,6 +10,16 @@ vec3 bounded(vec3 light) {
     return clamp(light, -MOST_LIGHT, MOST_LIGHT);
 }
 
+// One lamp's part of a sum: an infinite part must not meet another of the other sign. One lamp alone meets none, and
+// encode() clamps.
+vec3 part(vec3 light) {
+#if LAMPS > 1
+    return bounded(light);
+#else
+    return light;
+#endif
+}
+
 // Colors outside the space come in towards the gray of their light, down to white as one. Twin: src/color/gamut.h.
 vec3 kept_hue(vec3 c) {
     float gray = max((c.r + c.g + c.b) / 3.0, 0.0);
@@ -34,7 +44,7 @@ vec3 curved(vec3 rgb) {
 
 vec4 encode(vec3 rgb) {
 #if KEEP_HUE
-    rgb = kept_hue(rgb);
+    rgb = kept_hue(bounded(rgb));
 #endif
     vec3 code = curved(clamp(rgb, 0.0, 1.0));
 #if DITHER

@@ -43,7 +43,7 @@ vec3 product() {
 #if SURFACE == SURFACE_BOUNCE
         diffuse += u_other * light[l].z;
 #endif
-        total += bounded(u_lamp_color[l] * (color * diffuse + light[l].y));
+        total += part(u_lamp_color[l] * (color * diffuse + light[l].y));
     }
     return total;
 }

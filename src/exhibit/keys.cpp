@@ -90,7 +90,7 @@ constexpr KeyInfo kKeys[] = {
 
     {"lamp.N", "spectrum", lamp, "", 0, 0, 1, nullptr, "D65", "what it emits"},
     {"lamp.N", "strength", number, "", 0, 1e6, 1, nullptr, "1", "I_source: 1 shows the perfect reflector as white"},
-    {"lamp.N", "position", numbers, "scene units", -1000, 1000, 3, nullptr, "where the scene has its lamp N",
+    {"lamp.N", "position", numbers, "scene units", -100, 100, 3, nullptr, "where the scene has its lamp N",
      "point lamp at x y z; x to the right, y up, z to the visitor"},
     {"lamp.N", "direction", numbers, "", -1000, 1000, 3, nullptr, "where the scene has its lamp N",
      "parallel light that travels along x y z, any length but 0; not together with position"},

@@ -35,14 +35,10 @@ struct SurfacePoint {
     T shininess = T(32);
 };
 
-/// The least value that the falloff's denominator takes: a point at the lamp itself stays finite, in half
-/// too.
-inline constexpr double kLeastFalloff = 1e-3;
+/// The least value that the falloff's denominator takes: light near a lamp stays finite, in half too.
+inline constexpr double kLeastFalloff = 1.0 / 64;
 /// Vectors shorter than its root are not stretched to unit length: no division by zero, in half either.
 inline constexpr double kLeastLengthSquared = 1e-4;
-
-/// Lamps further away than this are as far as this: the falloff's square stays a number in half too.
-inline constexpr double kMostDistance = 16384;
 
 /// Lambert's cosine law, Blinn-Phong highlights (Blinn 1977), falloff 1 / (c + l d + q d^2); `visible` 0 .. 1
 /// is what the shadow leaves.
@@ -61,7 +57,7 @@ Light<T> arriving_light(const LampPlace<T>& lamp, const SurfacePoint<T>& p, T vi
         return V{static_cast<T>(a[0] / length), static_cast<T>(a[1] / length), static_cast<T>(a[2] / length)};
     };
     const V ray = lamp.directional ? lamp.at : minus(lamp.at, p.position);
-    const T distance = lamp.directional ? T(0) : std::min(root(dot(ray, ray)), static_cast<T>(kMostDistance));
+    const T distance = lamp.directional ? T(0) : root(dot(ray, ray));
     const V towards_lamp = lamp.directional ? lamp.at : unit(ray);
     const V towards_eye = unit(minus(p.eye, p.position));
     const V half_way = unit({static_cast<T>(towards_lamp[0] + towards_eye[0]),

@@ -290,12 +290,17 @@ Draw HalfBuilder::draw(const ObjectSetting& object, const ObjectPlan& plan) cons
     draw.variant.mirrors = scene_.lit && (object.specular > 0 || style_.everybody);
     draw.variant.shadows = plan_.view.shadows;
     draw.variant.surface = surface_of(exhibit_, object, plan.method);
+    // Scenes with a second wall take parallel light only.
+    draw.variant.placed =
+        scene_.lit && draw.variant.surface != Surface::bounce &&
+        (style_.everybody || std::any_of(exhibit_.lamps.begin(), exhibit_.lamps.end(),
+                                         [](const LampSetting& lamp) { return lamp.position.has_value(); }));
     draw.variant.taps = plan.method == Method::reduced
                             ? taps_in_uniforms(static_cast<int>(plan.taps.wavelength_nm.size()),
                                                draw.variant.lamps, scene_.lit)
                             : 0;
     draw.variant.output = output_stage(exhibit_.display, style_);
-    draw.uniforms.push_back({"u_mirror", glm::vec2(object.specular, object.shininess)});
+    draw.uniforms.push_back({"u_mirror", glm::vec2(object.specular, object.shininess / 2)});
     if (const auto shares = bounced(object); !shares.empty())
         draw.uniforms.push_back({"u_bounced", shares});
     if (is_product(plan.method))

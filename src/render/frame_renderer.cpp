@@ -26,17 +26,17 @@ std::vector<Mesh> upload_meshes(const Scene& scene) {
     return meshes;
 }
 
-/// What stands in front is drawn first, so that what it hides is not shaded.
+/// What ends nearest is drawn first, so that what it hides is not shaded: things before what they stand on.
 std::vector<std::size_t> front_to_back(const Scene& scene) {
     std::vector<float> distance;
     for (const SceneObject& object : scene.objects) {
-        float nearest = std::numeric_limits<float>::max();
+        float farthest = 0;
         for (std::size_t v = 0; v + 2 < object.mesh.vertices.size(); v += kVertexFloats)
-            nearest =
-                std::min(nearest, glm::distance(scene.camera.eye, glm::vec3(object.mesh.vertices[v],
-                                                                            object.mesh.vertices[v + 1],
-                                                                            object.mesh.vertices[v + 2])));
-        distance.push_back(nearest);
+            farthest =
+                std::max(farthest, glm::distance(scene.camera.eye, glm::vec3(object.mesh.vertices[v],
+                                                                             object.mesh.vertices[v + 1],
+                                                                             object.mesh.vertices[v + 2])));
+        distance.push_back(farthest);
     }
     std::vector<std::size_t> order(scene.objects.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -141,6 +141,7 @@ void FrameRenderer::draw(int width_px, int height_px, int scale) {
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_DITHER); // on by default, and each driver does as it likes
     glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE); // closed bodies hide their backs
     clear_gray(kBackground, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const View view = view_of(scene_.camera, static_cast<double>(width_px) / height_px);
     const int split = exhibit_.compare ? split_column(*exhibit_.compare, width_px / scale) * scale : width_px;
@@ -153,6 +154,7 @@ void FrameRenderer::draw(int width_px, int height_px, int scale) {
         draw_half(halves_[i], view);
     }
     draw_split_line(split, height_px, scale);
+    glDisable(GL_CULL_FACE);
     glDisable(GL_SCISSOR_TEST);
     throw_on_gl_error("draw", "the frame");
     drawn_ = {width_px, height_px, scale};

@@ -99,7 +99,7 @@ void add_lathe(MeshData& mesh, const glm::vec3& foot, std::span<const glm::vec2>
             return foot + glm::vec3(static_cast<double>(p.x) * std::cos(angle), p.y,
                                     static_cast<double>(p.x) * std::sin(angle));
         };
-        add_surface(mesh, ring, segments, 4);
+        add_surface(mesh, ring, segments, 3);
     }
 }
 

@@ -54,7 +54,6 @@ Defines constants() {
         {"TRANSFER_SRGB", "1"},
         {"TRANSFER_SRGB_POW", "2"},
         {"LEAST_FALLOFF", literal(kLeastFalloff)},
-        {"MOST_DISTANCE", literal(kMostDistance)},
         {"LEAST_LENGTH_SQUARED", literal(kLeastLengthSquared)},
         {"MOST_LIGHT", literal(kMostLight)},
         {"MATERIAL_MAP_LEAST", literal(kMaterialMapLeast)},
@@ -84,11 +83,28 @@ std::vector<int> tap_counts(Method method, int lamps, bool lit) {
     return counts;
 }
 
+// All that a method draws in shaded scenes under so many lamps.
+void add_lit(std::vector<Variant>& variants, Variant v) {
+    const int most = std::min(v.lamps, kMostShadows);
+    for (v.shadows = 0; v.shadows <= most; ++v.shadows)
+        for (const Surface surface : {Surface::plain, Surface::maps, Surface::bounce})
+            for (const bool mirrors : {true, false})
+                for (const bool placed : {true, false}) {
+                    const bool whole = mirrors && (placed || surface == Surface::bounce);
+                    const bool at_an_end = v.shadows == 0 || v.shadows == most;
+                    v.surface = surface;
+                    v.mirrors = mirrors;
+                    v.placed = placed;
+                    if ((whole || at_an_end) && !(placed && surface == Surface::bounce))
+                        variants.push_back(v);
+                }
+}
+
 // All that a method draws under so many lamps.
 void add_surfaces(std::vector<Variant>& variants, Variant v) {
     for (v.lit = false; const int taps : tap_counts(v.method, v.lamps, v.lit)) {
         v.taps = taps;
-        v.mirrors = false;
+        v.mirrors = v.placed = false;
         if (lamps_apart(v.method, v.lamps, v.lit) != v.lamps)
             break;
         for (v.surface = Surface::plain;
@@ -101,13 +117,7 @@ void add_surfaces(std::vector<Variant>& variants, Variant v) {
     }
     for (v.lit = true; const int taps : tap_counts(v.method, v.lamps, v.lit)) {
         v.taps = taps;
-        for (v.shadows = 0; v.shadows <= std::min(v.lamps, kMostShadows); ++v.shadows)
-            for (const Surface surface : {Surface::plain, Surface::maps, Surface::bounce})
-                for (const bool mirrors : {true, false}) {
-                    v.surface = surface;
-                    v.mirrors = mirrors;
-                    variants.push_back(v);
-                }
+        add_lit(variants, v);
     }
 }
 
@@ -140,8 +150,8 @@ ShaderVariant shader_variant(const Variant& v) {
                (v.lamps == 1 ? "lamp-" : "lamps-") + (v.lit ? "lit-" : "flat-") +
                (v.shadows > 0 ? std::to_string(v.shadows) + "shadows-" : "") +
                std::string(kSurfaceNames[surface]) + (v.lit && !v.mirrors ? "-dull" : "") +
-               std::string(kCurveNames[curve]) + (v.output.keep_hue ? "-hue" : "") +
-               (v.output.dither ? "-dither" : "");
+               (v.lit && !v.placed ? "-parallel" : "") + std::string(kCurveNames[curve]) +
+               (v.output.keep_hue ? "-hue" : "") + (v.output.dither ? "-dither" : "");
     out.vertex = "surface.vert";
     out.fragment = method + ".frag";
     out.defines = constants();
@@ -149,6 +159,7 @@ ShaderVariant shader_variant(const Variant& v) {
     out.defines.insert(out.defines.end(), {{"LAMPS", std::to_string(v.lamps)},
                                            {"LIT", flag(v.lit)},
                                            {"MIRRORS", flag(v.lit && v.mirrors)},
+                                           {"PLACED", flag(v.lit && v.placed)},
                                            {"SHADOWS", std::to_string(v.shadows)},
                                            {"SURFACE", std::to_string(surface)},
                                            {"TAPS", std::to_string(v.taps)},
@@ -164,7 +175,7 @@ std::vector<Variant> all_variants() {
         for (int lamps = 1; lamps <= kMostLamps; ++lamps)
             add_surfaces(variants, {.method = info.method, .lamps = lamps});
         for (const bool lit : {false, true})
-            add_outputs(variants, {.method = info.method, .lit = lit, .mirrors = lit});
+            add_outputs(variants, {.method = info.method, .lit = lit, .mirrors = lit, .placed = lit});
     }
     return variants;
 }

@@ -31,7 +31,9 @@ struct Variant {
     int lamps = 1;       ///< 1 .. kMostLamps
     bool lit = true;     ///< false: I_shading = 1 everywhere (patches, ramps, media)
     bool mirrors = true; ///< false: nothing is mirrored, no highlight is computed; false where not lit
-    int shadows = 0;     ///< of the first lamps, 0 .. min(lamps, kMostShadows)
+    bool placed =
+        true;        ///< false: lamps have directions only, no falloff; false where not lit, and for bounces
+    int shadows = 0; ///< of the first lamps, 0 .. min(lamps, kMostShadows)
     Surface surface = Surface::plain;
     int taps = 0; ///< of method reduced: in uniforms; 0: any number from a texture
     OutputStage output = {};
@@ -65,7 +67,9 @@ inline constexpr int kTapTableSize = 32;
 /// Its files and defines.
 ShaderVariant shader_variant(const Variant& variant);
 
-/// Every variant that a frame may ask for with the common output; and, for one lamp, with every output.
+/// Every variant that a frame may ask for with the common output; and, for one lamp, with every output. What
+/// only leaves something out (nothing mirrored, no lamp placed) is there at the ends alone: without shadows,
+/// and with as many as can be.
 std::vector<Variant> all_variants();
 
 /// The same as files and defines, the shadow pass with them.
