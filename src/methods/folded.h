@@ -25,8 +25,9 @@ std::array<T, 3> folded(std::span<const FoldedLamp<T>> lamps) {
     for (const FoldedLamp<T>& lamp : lamps)
         for (std::size_t c = 0; c < 3; ++c)
             total[c] =
-                static_cast<T>(total[c] + lamp.reflected[c] * lamp.light.diffuse +
-                               lamp.mirrored[c] * lamp.light.mirrored + lamp.bounced[c] * lamp.light.bounced);
+                static_cast<T>(total[c] + bounded(static_cast<T>(lamp.reflected[c] * lamp.light.diffuse)) +
+                               bounded(static_cast<T>(lamp.mirrored[c] * lamp.light.mirrored)) +
+                               bounded(static_cast<T>(lamp.bounced[c] * lamp.light.bounced)));
     return total;
 }
 

@@ -25,9 +25,6 @@ struct OutputSpace {
     Matrix3 adapted_rgb_from_xyz() const { return rgb_from_xyz * adaptation; }
 };
 
-/// Light above this is white whatever the matrix: what follows stays finite in half precision.
-inline constexpr double kMostLight = 4096;
-
 /// XYZ to sharpened cone primaries (Suesstrunk, Holm, Finlayson 2001, "Sharp" transform), in which products
 /// err least: the basis of method `prefiltered` (Ward and Eydelberg-Vileshin 2002).
 inline constexpr Matrix3 kSharpFromXyz{
@@ -50,9 +47,7 @@ Matrix3 rgb_from_numbers(Method method, const OutputSpace& output);
 /// Light in XYZ to linear RGB, as shaders_es/output.glsl and the matrix before it do.
 template <Scalar T>
 BasicLinearRgb<T> to_output(const Matrix3& rgb_from_xyz, BasicXyz<T> xyz) {
-    const T most = static_cast<T>(kMostLight);
-    xyz = {std::min(xyz.x, most), std::min(xyz.y, most), std::min(xyz.z, most)};
-    return to_linear_rgb(rgb_from_xyz, xyz);
+    return to_linear_rgb(rgb_from_xyz, BasicXyz<T>{bounded(xyz.x), bounded(xyz.y), bounded(xyz.z)});
 }
 
 } // namespace metamer

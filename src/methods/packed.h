@@ -32,10 +32,11 @@ BasicXyz<T> packed(std::span<const LitEmission<T>> lamps, const SpectralLayers<T
             sum.z = static_cast<T>(sum.z + dot(observer.z));
         }
         const T scale =
-            static_cast<T>(packed_scale(*lamp.emission, static_cast<double>(lamp.strength), observer));
-        total.x = static_cast<T>(total.x + scale * sum.x);
-        total.y = static_cast<T>(total.y + scale * sum.y);
-        total.z = static_cast<T>(total.z + scale * sum.z);
+            uploaded<T>(packed_scale(*lamp.emission, static_cast<double>(lamp.strength), observer));
+        const auto scaled = [&](T v) { return bounded(static_cast<T>(bounded(v) * scale)); };
+        total.x = static_cast<T>(total.x + scaled(sum.x));
+        total.y = static_cast<T>(total.y + scaled(sum.y));
+        total.z = static_cast<T>(total.z + scaled(sum.z));
     }
     return total;
 }

@@ -45,7 +45,8 @@ std::array<T, 3> product(std::span<const LitColor<T>> lamps, const ProductLayers
                                       exponential(static_cast<T>(layers.medium_log2[c] * layers.thickness)));
         for (const LitColor<T>& lamp : lamps) {
             const T arriving = static_cast<T>(lamp.light.diffuse + lamp.light.bounced * layers.other[c]);
-            total[c] = static_cast<T>(total[c] + lamp.color[c] * (material * arriving + lamp.light.mirrored));
+            const T returned = static_cast<T>(lamp.color[c] * (material * arriving + lamp.light.mirrored));
+            total[c] = static_cast<T>(total[c] + bounded(returned));
         }
     }
     return total;

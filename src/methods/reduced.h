@@ -44,12 +44,13 @@ std::array<T, 3> reduced(std::span<const ReducedLamp<T>> lamps, std::span<const 
             const T share =
                 static_cast<T>((lamp.light.diffuse + lamp.light.bounced * layers[i].other) * passed);
             for (std::size_t c = 0; c < 3; ++c)
-                total[c] = static_cast<T>(total[c] + lamp.taps[i].rgb[c] * share);
+                total[c] = static_cast<T>(total[c] + bounded(static_cast<T>(lamp.taps[i].rgb[c] * share)));
         }
     }
     for (const ReducedLamp<T>& lamp : lamps)
         for (std::size_t c = 0; c < 3; ++c)
-            total[c] = static_cast<T>(total[c] + lamp.mirrored[c] * lamp.light.mirrored);
+            total[c] =
+                static_cast<T>(total[c] + bounded(static_cast<T>(lamp.mirrored[c] * lamp.light.mirrored)));
     return total;
 }
 

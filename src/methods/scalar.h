@@ -2,6 +2,7 @@
 // computes in.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 
 namespace metamer {
@@ -12,5 +13,24 @@ __extension__ typedef _Float16 Float16;
 
 template <class T>
 concept Scalar = std::same_as<T, double> || std::same_as<T, float> || std::same_as<T, Float16>;
+
+/// Light above this is white whatever the matrix: what follows stays finite in half precision.
+inline constexpr double kMostLight = 4096;
+
+/// What half precision can hold: uniforms and rows of more than this are this.
+inline constexpr double kMostInHalf = 65504;
+
+/// Light no further than kMostLight from 0: sums of it stay numbers. As shaders_es/output.glsl has it.
+template <Scalar T>
+T bounded(T light) {
+    const T most = static_cast<T>(kMostLight);
+    return std::min(std::max(light, static_cast<T>(-most)), most);
+}
+
+/// A number of the CPU's as a shader receives it.
+template <Scalar T>
+T uploaded(double value) {
+    return static_cast<T>(std::clamp(value, -kMostInHalf, kMostInHalf));
+}
 
 } // namespace metamer

@@ -1,5 +1,6 @@
 #include "methods/shade.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "methods/three_numbers.h"
@@ -10,12 +11,12 @@ namespace {
 
 template <Scalar T>
 std::array<T, 3> narrowed(const std::array<double, 3>& v) {
-    return {static_cast<T>(v[0]), static_cast<T>(v[1]), static_cast<T>(v[2])};
+    return {uploaded<T>(v[0]), uploaded<T>(v[1]), uploaded<T>(v[2])};
 }
 
 template <Scalar T>
 Light<T> narrowed(const Light<double>& light) {
-    return {static_cast<T>(light.diffuse), static_cast<T>(light.mirrored), static_cast<T>(light.bounced)};
+    return {uploaded<T>(light.diffuse), uploaded<T>(light.mirrored), uploaded<T>(light.bounced)};
 }
 
 std::array<double, 3> numbers(const Xyz& c) {
@@ -59,7 +60,7 @@ template <Scalar T>
 BasicLinearRgb<T> shade_loop(Method method, const Pixel& pixel, const Sight& sight) {
     std::vector<LitEmission<T>> lit;
     for (const PixelLamp& lamp : pixel.lamps)
-        lit.push_back({lamp.row, static_cast<T>(lamp.strength), narrowed<T>(lamp.light)});
+        lit.push_back({lamp.row, uploaded<T>(lamp.strength), narrowed<T>(lamp.light)});
     SpectralLayers<T> layers{pixel.material.row};
     if (pixel.medium) {
         layers.medium = pixel.medium->row;
@@ -115,7 +116,7 @@ BasicLinearRgb<T> shade_reduced(const Pixel& pixel, const Sight& sight) {
 std::array<double, 3> medium_log2(const std::array<double, 3>& numbers) {
     std::array<double, 3> out{};
     for (std::size_t c = 0; c < 3; ++c)
-        out[c] = std::log2(std::max(numbers[c], kLeastTransmittance));
+        out[c] = std::log2(std::clamp(numbers[c], kLeastTransmittance, 1.0));
     return out;
 }
 

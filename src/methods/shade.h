@@ -23,7 +23,8 @@ struct Sight {
     int tap_count = 8; ///< how many are chosen then
 };
 
-/// Three numbers of a medium, as its shader takes them: log2 of each, the least transmittance below.
+/// Three numbers of a medium, as its shader takes them: log2 of each, the least transmittance below and 1
+/// above, which linear RGB of vivid glass passes: thick enough, it would be brighter than any lamp.
 std::array<double, 3> medium_log2(const std::array<double, 3>& numbers);
 
 /// Spectra that a pixel of this kind may hold, for choose_taps: its material; through a medium, at

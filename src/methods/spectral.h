@@ -69,10 +69,13 @@ BasicXyz<T> spectral(std::span<const LitEmission<T>> lamps, const SpectralLayers
             sum.z = static_cast<T>(sum.z + z * phi);
             k = static_cast<T>(k + y * s);
         }
-        const T scale = static_cast<T>(lamp.strength / std::max(k, static_cast<T>(kLeastK)));
-        total.x = static_cast<T>(total.x + scale * sum.x);
-        total.y = static_cast<T>(total.y + scale * sum.y);
-        total.z = static_cast<T>(total.z + scale * sum.z);
+        const T divisor = std::max(k, static_cast<T>(kLeastK));
+        const auto scaled = [&](T v) {
+            return bounded(static_cast<T>(bounded(static_cast<T>(v / divisor)) * lamp.strength));
+        };
+        total.x = static_cast<T>(total.x + scaled(sum.x));
+        total.y = static_cast<T>(total.y + scaled(sum.y));
+        total.z = static_cast<T>(total.z + scaled(sum.z));
     }
     return total;
 }

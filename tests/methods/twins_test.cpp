@@ -13,12 +13,11 @@ struct Worst {
     int float_steps = 0, half_steps = 0;
 };
 
-// Every lamp of the library on every third material of two sets.
 std::vector<std::string> materials() {
     std::vector<std::string> out;
     for (const char* set : {"colorchecker", "crayons"})
-        for (std::size_t i = 0; i < find_material_set(set)->materials.size(); i += 3)
-            out.push_back(find_material_set(set)->materials[i]);
+        for (const std::string& name : find_material_set(set)->materials)
+            out.push_back(name);
     return out;
 }
 
