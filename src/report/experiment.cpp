@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -33,10 +34,16 @@ Json json_of(const Experiment& experiment) {
         for (const auto& [method, difference] : point.delta_e)
             delta_e[text(method)] = difference;
         points.push_back({{"x", point.x}, {"delta_e", delta_e}});
+        if (!point.name.empty())
+            points.back()["point"] = text(point.name);
+        for (const auto& [figure, value] : point.also)
+            points.back()[text(figure)] = value;
     }
     for (const Failure& fail : experiment.fails)
         fails.push_back({{"method", text(fail.method)}, {"at", fail.at}, {"why", text(fail.why)}});
     return {{"name", text(experiment.name)},
+            {"group", text(experiment.group)},
+            {"finding", text(experiment.finding)},
             {"swept", text(experiment.swept)},
             {"unit", text(experiment.unit)},
             {"points", points},
@@ -44,15 +51,47 @@ Json json_of(const Experiment& experiment) {
             {"guard", text(experiment.guard)}};
 }
 
-std::string with_unit(double value, const std::string& unit) {
-    return short_number(value) + (unit.empty() ? "" : " " + unit);
+std::string place_of(const Experiment& experiment, const Failure& fail) {
+    return short_number(fail.at, experiment.discrete ? 4 : 3) +
+           (experiment.unit.empty() ? "" : " " + experiment.unit);
 }
 
+// Each cause once, after the methods that it has failed.
 std::string caption_of(const Experiment& experiment) {
+    std::vector<std::pair<std::string, std::string>> causes;
+    for (const Failure& fail : experiment.fails) {
+        const auto known = std::find_if(causes.begin(), causes.end(),
+                                        [&](const auto& cause) { return cause.second == fail.why; });
+        if (known == causes.end())
+            causes.emplace_back(fail.method, fail.why);
+        else
+            known->first += ", " + fail.method;
+    }
     std::string out;
-    for (const Failure& fail : experiment.fails)
-        out += fail.method + " fails at " + with_unit(fail.at, experiment.unit) + ": " + fail.why + ". ";
-    return out + (experiment.guard.empty() ? "" : "Guard: " + experiment.guard);
+    for (const auto& [methods, why] : causes)
+        out += methods + ": " + why + ". ";
+    return out + (experiment.guard.empty() ? "" : "Guard: " + experiment.guard + ".");
+}
+
+// A method has its own color in every picture; a variant of one takes the first that is left, so that lines
+// in one plot can be told apart.
+std::map<std::string, int> colors_of(const std::set<std::string>& methods) {
+    std::map<std::string, int> colors;
+    std::set<int> taken;
+    for (const std::string& method : methods)
+        if (const int color = method_color(method);
+            color != kColors - 1 && method.find(' ') == std::string::npos) {
+            colors[method] = color;
+            taken.insert(color);
+        }
+    int next = 0;
+    for (const std::string& method : methods)
+        if (!colors.contains(method)) {
+            while (next < kColors && taken.contains(next))
+                ++next;
+            colors[method] = next++;
+        }
+    return colors;
 }
 
 // Between its neighbors the difference of a method runs straight on the plot.
@@ -83,10 +122,17 @@ double difference_at(const Experiment& experiment, const Failure& fail) {
     return below ? below->y : above ? above->y : std::nan("");
 }
 
+// The method that errs most; points with names carry theirs beside it.
+std::string worst_method(const ExperimentPoint& point) {
+    const auto worst = std::max_element(point.delta_e.begin(), point.delta_e.end(),
+                                        [](const auto& a, const auto& b) { return a.second < b.second; });
+    return worst == point.delta_e.end() ? "" : worst->first;
+}
+
 Plot plot_of(const Experiment& experiment, double tolerance) {
     const std::string unit = experiment.unit.empty() ? "" : ", " + experiment.unit;
     Plot plot{
-        .title = experiment.name,
+        .title = experiment.finding.empty() ? experiment.name : experiment.finding,
         .caption = caption_of(experiment),
         .x = {.title = experiment.swept + unit, .scale = experiment.log_x ? Scale::log10 : Scale::linear},
         .y = {.title = "CIEDE2000", .scale = Scale::log10, .floor = kLeastDifference}};
@@ -96,15 +142,20 @@ Plot plot_of(const Experiment& experiment, double tolerance) {
     for (const ExperimentPoint& point : experiment.points)
         for (const auto& [method, difference] : point.delta_e)
             methods.insert(method);
+    const std::map<std::string, int> colors = colors_of(methods);
     for (const std::string& method : methods) {
-        Series series{.label = method, .color = method_color(method), .marker = Marker::none};
+        Series series{.label = method, .color = colors.at(method), .marker = Marker::none};
         for (const ExperimentPoint& point : experiment.points)
             if (const auto found = point.delta_e.find(method); found != point.delta_e.end())
-                series.points.push_back({.x = point.x, .y = found->second});
+                series.points.push_back(
+                    {.x = point.x,
+                     .y = found->second < kLeastDifference ? kLeastDifference : found->second,
+                     .label = method == worst_method(point) ? point.name : ""});
         plot.series.push_back(std::move(series));
     }
     for (const Failure& fail : experiment.fails)
-        plot.marks.push_back({fail.at, difference_at(experiment, fail), "fails", method_color(fail.method)});
+        plot.marks.push_back({fail.at, difference_at(experiment, fail), place_of(experiment, fail),
+                              colors.contains(fail.method) ? colors.at(fail.method) : kColors - 1});
     return plot;
 }
 
