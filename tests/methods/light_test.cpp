@@ -90,5 +90,21 @@ TEST(Light, ShadowTakesAll) {
     EXPECT_EQ(light.diffuse, 0);
 }
 
+// The form factor of a strip 0 .. 1 on one plane, without end along the edge, at a point of the other plane,
+// d off the edge (Lambert): with the strip's height z, the integral of d z / (2 (d^2 + z^2)^(3/2)) dz.
+TEST(BounceShare, IsTheIntegralOverTheWall) {
+    for (const double d : {0.05, 0.25, 1.0, 3.0}) {
+        double sum = 0;
+        constexpr int kSteps = 100000;
+        for (int i = 0; i < kSteps; ++i) {
+            const double z = (i + 0.5) / kSteps;
+            sum += d * z / (2 * std::pow(d * d + z * z, 1.5)) / kSteps;
+        }
+        EXPECT_NEAR(bounce_share(d), sum, 1e-6) << d;
+        EXPECT_NEAR(static_cast<double>(bounce_share(static_cast<Float16>(d))), sum, 2e-3) << d;
+    }
+    EXPECT_EQ(bounce_share(0.0), 0.5);
+}
+
 } // namespace
 } // namespace metamer
