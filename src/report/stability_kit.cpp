@@ -31,10 +31,6 @@ const Observers& observers(Quantization quantization) {
     return quantization == Quantization::thesis ? thesis : weighted;
 }
 
-double shown(double component) {
-    return std::isnan(component) ? 0 : std::clamp(component, -kMostLight, kMostLight);
-}
-
 } // namespace
 
 LampForms lamp_forms(const LampSpectrum& lamp, Quantization quantization) {
@@ -108,7 +104,7 @@ Sight sight(Quantization quantization, const Taps* taps) {
 template <Scalar T>
 double difference(Method method, const Pixel& pixel, const Sight& sight) {
     const Xyz c = shade_xyz<T>(method, pixel, sight);
-    return delta_e_2000({shown(c.x), shown(c.y), shown(c.z)}, exact_xyz(pixel, *sight.exact));
+    return delta_e_2000({as_shown(c.x), as_shown(c.y), as_shown(c.z)}, exact_xyz(pixel, *sight.exact));
 }
 
 template <Scalar T>

@@ -51,8 +51,7 @@ Pixel pair(const LampForms& lamp, const MaterialForms& material);
 /// Both observers of such an atlas; sRGB-D65, no adaptation.
 Sight sight(Quantization quantization = Quantization::weighted, const Taps* taps = nullptr);
 
-/// CIEDE2000 of a method's color in precision T against exact_xyz(). A component that is no number counts as
-/// 0, an infinite one as kMostLight: what framebuffers make of them.
+/// CIEDE2000 of a method's color in precision T against exact_xyz(). Components as_shown().
 template <Scalar T>
 double difference(Method method, const Pixel& pixel, const Sight& sight);
 
@@ -61,10 +60,15 @@ template <Scalar T>
 double worst(Method method, const LampForms& lamp, std::span<const MaterialForms> materials,
              const Sight& sight);
 
-/// A method may be measured several times at one x: the worst counts.
+/// A component as a framebuffer takes it: what is no number counts as 0, and nothing is beyond kMostLight.
+inline double as_shown(double component) {
+    return std::isnan(component) ? 0 : std::clamp(component, -kMostLight, kMostLight);
+}
+
+/// A method may be measured several times at one x: the worst counts, and what is no number is the worst.
 inline void raise(ExperimentPoint& point, const std::string& method, double delta_e) {
     double& most = point.delta_e.try_emplace(method, 0).first->second;
-    most = std::max(most, delta_e);
+    most = std::isnan(delta_e) ? HUGE_VAL : std::max(most, delta_e);
 }
 
 /// `count` values from low to high, evenly spaced, or evenly on a logarithm.

@@ -116,17 +116,17 @@ Experiment strength() {
 
 Experiment violet_lamps() {
     Experiment e = dim_lamps("Violet lamps with next to no Y", evenly(365, 480, 24), Harder::down);
-    e.finding = finding(e, "spectral, thesis's atlas", "Violet lines fail in the thesis's atlas below",
-                        "Violet lines hold in the thesis's atlas") +
-                finding(e, "spectral", ", in weighted rows below", ", in weighted rows they hold");
+    e.finding = finding(e, "spectral, thesis's atlas", "Violet: the thesis's rows fail below",
+                        "Violet: the thesis's rows hold") +
+                finding(e, "spectral", ", weighted rows below", ", weighted rows hold");
     return e;
 }
 
 Experiment red_lamps() {
     Experiment e = dim_lamps("Red lamps with next to no Y", evenly(620, 780, 33), Harder::up);
-    e.finding = finding(e, "spectral, thesis's atlas", "Red lines fail in the thesis's atlas above",
-                        "Red lines hold in the thesis's atlas") +
-                finding(e, "spectral", ", in weighted rows above", ", in weighted rows they hold");
+    e.finding = finding(e, "spectral, thesis's atlas", "Red: the thesis's rows fail above",
+                        "Red: the thesis's rows hold") +
+                finding(e, "spectral", ", weighted rows above", ", weighted rows hold");
     return e;
 }
 

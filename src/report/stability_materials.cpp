@@ -98,8 +98,8 @@ Experiment band_spacing() {
                       }));
     }
     explain_bands(e, Harder::down);
-    e.finding = finding(e, "spectral", "Bands closer than", "Any bands") +
-                " are too fine for 64 wavelengths" + finding(e, "reduced", "; for 8, closer than", "");
+    e.finding = finding(e, "spectral", "64 wavelengths fail for bands closer than", "64 wavelengths hold") +
+                finding(e, "reduced", ", 8 of them than", ", 8 of them too");
     e.guard = "folded sums at 1 nm, and so does whatever the planner holds a method against: what fails is "
               "not chosen";
     return e;
@@ -135,10 +135,9 @@ Experiment dark_materials() {
     add_failure(e, "spectral in fp16", Harder::down, "small terms are lost beside the sum");
     add_failure(e, "tristimulus", Harder::up,
                 "three numbers; in the dark their error shrinks as all color does");
-    e.finding = finding(e, "spectral, rows not scaled",
-                        "Without their scale, 8-bit rows of patches fail when darkened to",
-                        "Dark materials survive 8 bits") +
-                finding(e, "spectral", "; with it from", "; with it they hold");
+    e.finding = finding(e, "spectral, rows not scaled", "8-bit rows without scales fail from a share of",
+                        "8-bit rows hold without scales") +
+                finding(e, "spectral", " down; with scales from", " down; with scales they hold");
     e.guard = "rows are stored at full scale, their scale apart";
     return e;
 }

@@ -26,8 +26,9 @@ template <Scalar T>
 double there_and_back(const Matrix3& xyz_from_rgb, const Matrix3& rgb_from_xyz, const Xyz& c) {
     const auto t = [](double v) { return static_cast<T>(v); };
     const BasicLinearRgb<T> rgb = to_linear_rgb(rgb_from_xyz, BasicXyz<T>{t(c.x), t(c.y), t(c.z)});
-    const Xyz back = to_xyz(
-        xyz_from_rgb, {static_cast<double>(rgb.r), static_cast<double>(rgb.g), static_cast<double>(rgb.b)});
+    // What is infinite or no number, as black: bounds would hide what the matrix itself does.
+    const auto shown = [](T v) { return std::isfinite(static_cast<double>(v)) ? static_cast<double>(v) : 0; };
+    const Xyz back = to_xyz(xyz_from_rgb, {shown(rgb.r), shown(rgb.g), shown(rgb.b)});
     return delta_e_2000(back, c);
 }
 

@@ -166,9 +166,9 @@ Experiment row_filtering() {
     }
     add_failure(e, "spectral, linear filter", Harder::up, "a share of the next material's row is mixed in");
     add_failure(e, "spectral", Harder::up, "half a row off is the next row");
-    e.finding = finding(e, "spectral, linear filter", "A linear filter bleeds from an offset of",
-                        "A linear filter holds") +
-                finding(e, "spectral", "; the nearest changes at", "; nearest holds");
+    e.finding =
+        finding(e, "spectral, linear filter", "A linear filter bleeds from", "A linear filter holds") +
+        finding(e, "spectral", "; the nearest turns at", "; nearest holds");
     e.guard = "tables of rows are read with the nearest filter, at the centers of their texels";
     return e;
 }
