@@ -40,8 +40,9 @@ TEST_F(RenderOutput, SetsThatCannotBe) {
         {"lamp.1.strength=-1", "strength = -1 is below 0; it may be 0 .. 1000000"},
         {"lamp.1.strenght=1", "unknown key \"strenght\" in [lamp.1]; did you mean \"strength\"?"},
         {"lamp.1.spectrum=F1l", "spectrum = F1l: the library has no such lamp; did you mean \"F11\"?"},
-        {"compare.left.method=spectal", "left.method = spectal is none of rgb, tristimulus, spectral; did "
-                                        "you mean \"spectral\"?"},
+        {"compare.left.method=spectal",
+         "left.method = spectal is none of auto, rgb, tristimulus, spectral, prefiltered, packed, reduced, "
+         "folded; did you mean \"spectral\"?"},
     };
     for (const auto& [set, cause] : cases)
         expect_failure(2, {"render", "--output", "x.png", "--set", set},

@@ -14,6 +14,7 @@ TEST_F(Usage, EveryCommandHasHelp) {
         {},
         {"render"},
         {"measure"},
+        {"plan"},
         {"atlas"},
         {"atlas", "build"},
         {"atlas", "show"},
@@ -37,7 +38,7 @@ TEST_F(Usage, EveryCommandHasHelp) {
 
 TEST_F(Usage, TheProgramsHelpNamesEveryCommand) {
     const std::string help = output_of({"--help"});
-    for (const char* command : {"render", "measure", "atlas", "check", "info", "list"})
+    for (const char* command : {"render", "measure", "plan", "atlas", "check", "info", "list"})
         EXPECT_THAT(help, HasSubstr("\n  " + std::string(command) + " "));
     for (const char* option : {"--output", "--size", "--set", "--table", "EXHIBIT.ini"})
         EXPECT_THAT(output_of({"render", "--help"}), HasSubstr(option));
@@ -49,7 +50,8 @@ TEST_F(Usage, TheVersionIsTheProjects) {
 
 TEST_F(Usage, ACommandIsNeeded) {
     expect_failure(2, {},
-                   "cannot use the command line: a command is missing, one of render, measure, atlas, check, "
+                   "cannot use the command line: a command is missing, one of render, measure, plan, chart, "
+                   "atlas, check, "
                    "info, list; see metamer --help");
     expect_failure(2, {"atlas"},
                    "cannot use the command line: a command is missing, one of build, show; see metamer atlas "
