@@ -33,4 +33,27 @@ inline int steps(const EncodedRgb8& a, const EncodedRgb8& b) {
     return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
+/// A pixel for people.
+inline std::string text_of(const EncodedRgb8& c) {
+    return std::to_string(c.r) + ' ' + std::to_string(c.g) + ' ' + std::to_string(c.b);
+}
+
+/// The first `count` of [lamp.1] .. [lamp.8]: lines and daylight, each of its own strength, together as
+/// bright as white.
+inline std::string lamps_of(int count) {
+    const char* const kNames[] = {"F11", "A2800", "D65", "krypton", "F2", "white-LED", "line:589", "E"};
+    std::string text;
+    for (int i = 0; i < count; ++i)
+        text += "[lamp." + std::to_string(i + 1) + "]\nspectrum = " + kNames[i] +
+                "\nstrength = " + std::to_string((1.2 + 0.1 * i) / count) + "\n";
+    return text;
+}
+
+/// As an atlas file alone would have it: every spectrum is known by its row only.
+inline void forget_full_spectra(Exhibit& exhibit) {
+    exhibit.materials.clear();
+    for (LampSetting& lamp : exhibit.lamps)
+        lamp.full_resolution = false;
+}
+
 } // namespace metamer

@@ -2,12 +2,10 @@
 // hand.
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-#include <glm/vec4.hpp>
 #include <gtest/gtest.h>
 
 #include "frames/frames.h"
+#include "frames/places.h"
 #include "frames/twin.h"
 #include "render/draws.h"
 
@@ -15,21 +13,6 @@ namespace metamer {
 namespace {
 
 using Vector = glm::dvec3;
-
-/// The ray through the middle of a pixel, and where it meets the plane through `on` with this normal.
-Vector on_plane(const Exhibit& exhibit, const Scene& scene, int x, int y, const Vector& on,
-                const Vector& normal) {
-    const double w = exhibit.display.width_px, h = exhibit.display.height_px;
-    const View view = view_of(scene.camera, w / h);
-    const glm::dmat4 world_from_clip = glm::inverse(glm::dmat4(view.clip_from_world));
-    const glm::dvec4 far = world_from_clip * glm::dvec4(2 * (x + 0.5) / w - 1, 1 - 2 * (y + 0.5) / h, 1, 1);
-    const Vector eye(view.eye), direction = Vector(far) / far.w - eye;
-    return eye + direction * (glm::dot(on - eye, normal) / glm::dot(direction, normal));
-}
-
-std::array<double, 3> array_of(const Vector& v) {
-    return {v.x, v.y, v.z};
-}
 
 /// The pixel that the twin expects at a point of a flat surface under the exhibit's lamps.
 EncodedRgb8 expected(const Twin& twin, const Exhibit& exhibit, const Scene& scene,
