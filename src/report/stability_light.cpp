@@ -31,10 +31,14 @@ LinearRgb clipped(const LinearRgb& c) {
 // The loop in half as it would be without a bound on light: what overflows stays so through the matrix.
 LinearRgb unbounded_in_half(const Pixel& pixel) {
     const PixelLamp& lamp = pixel.lamps.front();
-    const std::vector<LitEmission<Float16>> lit{{lamp.row, static_cast<Float16>(lamp.strength), {}}};
-    const BasicXyz<Float16> xyz =
+    const std::vector<LitEmission<Float16>> lit{{lamp.row, Float16(1), {}}};
+    const BasicXyz<Float16> one =
         spectral<Float16>(lit, SpectralLayers<Float16>{pixel.material.row}, *sight().seen);
-    const BasicLinearRgb<Float16> c = kept_hue(to_linear_rgb(matrix(), xyz));
+    const auto stronger = [&](Float16 v) {
+        return static_cast<Float16>(v * static_cast<Float16>(lamp.strength));
+    };
+    const BasicLinearRgb<Float16> c = kept_hue(
+        to_linear_rgb(matrix(), BasicXyz<Float16>{stronger(one.x), stronger(one.y), stronger(one.z)}));
     return clipped({static_cast<double>(c.r), static_cast<double>(c.g), static_cast<double>(c.b)});
 }
 
@@ -107,7 +111,7 @@ Experiment strength() {
     add_failure(e, "folded", Harder::up, "steps of 8 bits");
     e.finding =
         finding(e, "folded, gamut = clip", "Clipping turns hues from strength", "Clipping turns no hue") +
-        finding(e, "spectral in fp16, unbounded", "; fp16 overflows from", "; fp16 holds");
+        finding(e, "spectral in fp16, unbounded", "; unbounded fp16 overflows from", "; fp16 holds");
     e.guard =
         "gamut = keep-hue brings all channels down together; light is bounded before the matrix, so that no "
         "pixel is infinite";
