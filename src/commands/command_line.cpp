@@ -13,6 +13,8 @@ void add_commands(CLI::App& app) {
     add_render_command(app);
     add_measure_command(app);
     add_plan_command(app);
+    add_chart_command(app);
+    add_stability_command(app);
     add_atlas_command(app);
     add_check_command(app);
     add_info_command(app);

@@ -11,6 +11,8 @@ void add_commands(CLI::App& app);
 void add_render_command(CLI::App& app);
 void add_measure_command(CLI::App& app);
 void add_plan_command(CLI::App& app);
+void add_chart_command(CLI::App& app);
+void add_stability_command(CLI::App& app);
 void add_atlas_command(CLI::App& app);
 void add_check_command(CLI::App& app);
 void add_info_command(CLI::App& app);

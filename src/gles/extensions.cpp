@@ -10,8 +10,9 @@ namespace metamer {
 
 namespace {
 /// Every GL extension that the program has a use for.
-constexpr std::array<std::string_view, 1> kKnownGlExtensions = {
-    "GL_OES_rgb8_rgba8", // framebuffer.cpp: RGBA8 renderbuffers
+constexpr std::array<std::string_view, 2> kKnownGlExtensions = {
+    "GL_OES_rgb8_rgba8",           // framebuffer.cpp: RGBA8 renderbuffers
+    "GL_EXT_disjoint_timer_query", // timer_query.cpp: the GPU's own clock
 };
 
 bool switched_off() {

@@ -134,7 +134,7 @@ std::vector<KeyItem> key_of(const Chart& chart) {
     if (any([](const ChartRow& row) { return row.on_frontier; }))
         out.push_back({.sign = Sign::line,
                        .text = std::string("frontier: nothing is both cheaper and closer (by the ") +
-                               (chart.context.frontier_by == Accuracy::max ? "worst pair)" : "mean)")});
+                               (chart.context.frontier_by == FrontierBy::max ? "worst pair)" : "mean)")});
     return out;
 }
 

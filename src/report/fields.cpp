@@ -46,7 +46,7 @@ constexpr std::array<std::string_view, 2> kNames<Precision>{"fp16", "fp32"};
 template <>
 constexpr std::array<std::string_view, 2> kNames<Levels>{"8-bit", "unquantized"};
 template <>
-constexpr std::array<std::string_view, 2> kNames<Accuracy>{"delta_e_mean", "delta_e_max"};
+constexpr std::array<std::string_view, 2> kNames<FrontierBy>{"delta_e_mean", "delta_e_max"};
 
 template <class Enum>
 requires std::is_enum_v<Enum> std::string take(Enum& field, const std::string& text) {
@@ -93,21 +93,80 @@ constexpr std::array kRowFields{
 
 using C = ChartContext;
 constexpr std::array kContextFields{
-    field<C, &C::exhibit>("exhibit"),     field<C, &C::gl_renderer>("gl_renderer"),
-    field<C, &C::date>("date"),           field<C, &C::command>("command"),
-    field<C, &C::width_px>("width_px"),   field<C, &C::height_px>("height_px"),
-    field<C, &C::lamps>("lamps"),         field<C, &C::materials>("materials"),
-    field<C, &C::tolerance>("tolerance"), field<C, &C::frontier_by>("frontier_by"),
+    field<C, &C::exhibit>("exhibit"),
+    field<C, &C::gl_renderer>("gl_renderer"),
+    field<C, &C::date>("date"),
+    field<C, &C::command>("command"),
+    field<C, &C::timer>("timer"),
+    field<C, &C::left_out>("left_out"),
+    field<C, &C::rounds>("rounds"),
+    field<C, &C::width_px>("width_px"),
+    field<C, &C::height_px>("height_px"),
+    field<C, &C::lamps>("lamps"),
+    field<C, &C::materials>("materials"),
+    field<C, &C::tolerance>("tolerance"),
+    field<C, &C::frontier_by>("frontier_by"),
+};
+
+using G = GrowthRow;
+constexpr std::array kGrowthFields{
+    field<G, &G::panel>("panel"),
+    field<G, &G::swept>("swept"),
+    field<G, &G::log_x>("log_x"),
+    field<G, &G::method>("method"),
+    field<G, &G::x>("x"),
+    field<G, &G::ms>("ms"),
+    field<G, &G::cost_ratio>("cost_ratio"),
+    field<G, &G::cost_ratio_q1>("cost_ratio_q1"),
+    field<G, &G::cost_ratio_q3>("cost_ratio_q3"),
+    field<G, &G::cost_ratio_here>("cost_ratio_here"),
+};
+
+using PC = PaperContext;
+constexpr std::array kPaperContextFields{
+    field<PC, &PC::assumption>("assumption"),
+    field<PC, &PC::compilers>("compilers"),
+    field<PC, &PC::date>("date"),
+    field<PC, &PC::command>("command"),
+};
+
+using P = PaperRow;
+constexpr std::array kPaperFields{
+    field<P, &P::gpu>("gpu"),
+    field<P, &P::method>("method"),
+    field<P, &P::straight>("straight"),
+    field<P, &P::loop>("loop"),
+    field<P, &P::rounds>("rounds"),
+    field<P, &P::clock_mhz>("clock_mhz"),
+    field<P, &P::instructions_per_clock>("instructions_per_clock"),
+    field<P, &P::source>("source"),
 };
 
 } // namespace
 
-std::span<const Field<ChartRow>> row_fields() {
+template <>
+std::span<const Field<ChartRow>> fields_of() {
     return kRowFields;
 }
 
-std::span<const Field<ChartContext>> context_fields() {
+template <>
+std::span<const Field<ChartContext>> fields_of() {
     return kContextFields;
+}
+
+template <>
+std::span<const Field<GrowthRow>> fields_of() {
+    return kGrowthFields;
+}
+
+template <>
+std::span<const Field<PaperContext>> fields_of() {
+    return kPaperContextFields;
+}
+
+template <>
+std::span<const Field<PaperRow>> fields_of() {
+    return kPaperFields;
 }
 
 std::string field_text(const Json& value) {

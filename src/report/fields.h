@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "report/growth_rows.h"
+#include "report/paper.h"
 #include "report/rows.h"
 
 namespace metamer {
@@ -21,8 +23,9 @@ struct Field {
     std::string (*set)(Of&, const std::string& text);
 };
 
-std::span<const Field<ChartRow>> row_fields();
-std::span<const Field<ChartContext>> context_fields();
+/// The fields of ChartContext, ChartRow, GrowthRow, PaperContext, PaperRow.
+template <class Of>
+std::span<const Field<Of>> fields_of();
 
 /// A field's value as CSV writes it: text as it is, numbers shortest, `true` and `false`.
 std::string field_text(const nlohmann::ordered_json& value);

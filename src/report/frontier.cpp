@@ -4,11 +4,11 @@
 
 namespace metamer {
 
-double accuracy(const ChartRow& row, Accuracy by) {
-    return by == Accuracy::mean ? row.delta_e_mean : row.delta_e_max;
+double accuracy(const ChartRow& row, FrontierBy by) {
+    return by == FrontierBy::mean ? row.delta_e_mean : row.delta_e_max;
 }
 
-void mark_frontier(std::vector<ChartRow>& rows, Accuracy by) {
+void mark_frontier(std::vector<ChartRow>& rows, FrontierBy by) {
     for (ChartRow& row : rows)
         row.on_frontier = std::none_of(rows.begin(), rows.end(), [&](const ChartRow& other) {
             const double error = accuracy(row, by), other_error = accuracy(other, by);

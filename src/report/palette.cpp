@@ -39,6 +39,9 @@ Paint text_paint(Paint paint) {
 }
 
 int method_color(std::string_view method) {
+    method = method.substr(0, method.find(' ')); // `reduced 8`
+    if (method == "planned")
+        method = "folded"; // which it is wherever light stays linear
     for (std::size_t i = 0; i < kMethodOrder.size(); ++i)
         if (kMethodOrder[i] == method)
             return static_cast<int>(i);

@@ -22,7 +22,8 @@ Paint series_paint(int index);
 /// A little darker, for text: contrast to white of at least 4.5 (WCAG 2.1, 1.4.3).
 Paint text_paint(Paint paint);
 
-/// The index that a method has in every chart; kColors - 1, the gray, for a name that is none.
+/// The index that a method has in every chart, by its first word; `planned` has folded's; kColors - 1, the
+/// gray, for a name that is none.
 int method_color(std::string_view method);
 
 } // namespace metamer

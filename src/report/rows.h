@@ -27,15 +27,18 @@ struct ChartRow {
 };
 
 /// What accuracy means on the frontier.
-enum class Accuracy { mean, max };
+enum class FrontierBy { mean, max };
 
 /// What the rows were measured with and on; in files too, so that pictures can be made from them alone.
 struct ChartContext {
     std::string exhibit{}, gl_renderer{}, date{}, command{}; ///< free text, one line each
-    int width_px = 0, height_px = 0;                         ///< of the frame measured
-    int lamps = 0, materials = 0;                            ///< every lamp with every material
-    double tolerance = 0;                                    ///< CIEDE2000; 0: none
-    Accuracy frontier_by = Accuracy::max;
+    std::string timer{};                                     ///< what the clock was
+    std::string left_out{};          ///< what could not be drawn or planned, and why; empty: nothing
+    int width_px = 0, height_px = 0; ///< of the frame measured
+    int rounds = 0;                  ///< of all frames, one after another
+    int lamps = 0, materials = 0;    ///< every lamp with every material
+    double tolerance = 0;            ///< CIEDE2000; 0: none
+    FrontierBy frontier_by = FrontierBy::max;
 
     bool operator==(const ChartContext&) const = default;
 };
@@ -49,10 +52,10 @@ struct Chart {
 
 /// Sets on_frontier of every row: no other is at most as costly (cost_ratio) and at most as wrong, and less
 /// of one of them. Equal rows stand together.
-void mark_frontier(std::vector<ChartRow>& rows, Accuracy by);
+void mark_frontier(std::vector<ChartRow>& rows, FrontierBy by);
 
 /// The value that `by` names.
-double accuracy(const ChartRow& row, Accuracy by);
+double accuracy(const ChartRow& row, FrontierBy by);
 
 /// CSV (RFC 4180, LF): the context as `# key: value` lines, a header with the names of DESIGN.md section 6
 /// and the quartiles beside their medians, one line per row. Numbers read back as the same doubles. Throws

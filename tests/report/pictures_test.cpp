@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "image/error_of.h"
 #include "report/experiment.h"
@@ -73,7 +74,7 @@ TEST(ChartPicture, BarsReachFromTheMeanToTheWorst) {
 
 TEST(ChartPicture, DrawsTheFrontierByItsAccuracy) {
     Chart chart = sample_chart();
-    for (const Accuracy by : {Accuracy::mean, Accuracy::max}) {
+    for (const FrontierBy by : {FrontierBy::mean, FrontierBy::max}) {
         chart.context.frontier_by = by;
         mark_frontier(chart.rows, by);
         std::size_t marked = 0;
@@ -179,9 +180,35 @@ TEST(ExperimentPages, MarkTheFailureOnTheLine) {
     EXPECT_TRUE(std::isnan(plot.marks[1].y));
     EXPECT_EQ(plot.marks[2].y, 1);
     EXPECT_EQ(plot.marks[3].y, 1);
-    EXPECT_THAT(plot.caption, HasSubstr("spectral fails at 10 nm: w. "));
+    EXPECT_EQ(plot.marks[0].word, "10 nm");
+    EXPECT_THAT(plot.caption, HasSubstr("spectral: w. "));
     EXPECT_THAT(plot.caption, HasSubstr("Guard: g"));
     EXPECT_EQ(plot.x.title, "s, nm");
+}
+
+TEST(ExperimentPages, SayTheFindingAndEachCauseOnce) {
+    const Experiment e{.name = "n",
+                       .finding = "found",
+                       .points = {{1, {{"spectral", 0}, {"packed", 2}}, "the point"}},
+                       .fails = {{"spectral", 1, "w"}, {"packed", 1, "w"}}};
+    const Plot plot = experiment_pages({{e}}, 0, "").at(0).plots.at(0);
+    EXPECT_EQ(plot.title, "found");
+    EXPECT_THAT(plot.caption, HasSubstr("spectral, packed: w. "));
+    EXPECT_EQ(find(plot, "packed")->points[0].label, "the point");
+    EXPECT_EQ(find(plot, "spectral")->points[0].label, "") << "the worst method carries the name";
+    EXPECT_GT(find(plot, "spectral")->points[0].y, 0) << "a logarithm has no 0";
+}
+
+TEST(ExperimentPages, TellVariantsOfAMethodApart) {
+    const Experiment e{
+        .name = "n",
+        .points = {{1, {{"spectral", 1}, {"spectral in fp16", 1}, {"spectral, dim", 1}, {"rgb", 1}}}}};
+    const Plot plot = experiment_pages({{e}}, 0, "").at(0).plots.at(0);
+    std::set<int> colors;
+    for (const Series& series : plot.series)
+        colors.insert(series.color);
+    EXPECT_EQ(colors.size(), 4u);
+    EXPECT_EQ(find(plot, "spectral")->color, method_color("spectral"));
 }
 
 TEST(ExperimentsJson, FollowsTheContract) {
@@ -194,6 +221,11 @@ TEST(ExperimentsJson, FollowsTheContract) {
     EXPECT_EQ(first["fails"][0]["method"], "spectral");
     EXPECT_EQ(first["fails"][0]["at"], 5);
     EXPECT_TRUE(json["experiments"][1]["points"][4]["delta_e"]["spectral"].is_null()) << "an infinity";
+    EXPECT_FALSE(first["points"][0].contains("point"));
+    Experiment named{.name = "n", .points = {{1, {}, "lamp", {{"outside", 3}}}}};
+    const auto point = nlohmann::json::parse(experiments_json({named}))["experiments"][0]["points"][0];
+    EXPECT_EQ(point["point"], "lamp");
+    EXPECT_EQ(point["outside"], 3);
     EXPECT_EQ(error_of([] { experiments_json({{.name = "\xFF"}}); }),
               "2: cannot write stability: not UTF-8: ?");
 }

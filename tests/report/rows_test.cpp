@@ -21,7 +21,7 @@ ChartRow at(double cost, double mean, double max) {
     return {.method = "m", .cost_ratio = cost, .delta_e_mean = mean, .delta_e_max = max};
 }
 
-std::vector<bool> frontier(std::vector<ChartRow> rows, Accuracy by) {
+std::vector<bool> frontier(std::vector<ChartRow> rows, FrontierBy by) {
     mark_frontier(rows, by);
     std::vector<bool> out;
     for (const ChartRow& row : rows)
@@ -31,20 +31,20 @@ std::vector<bool> frontier(std::vector<ChartRow> rows, Accuracy by) {
 
 TEST(Frontier, KeepsWhatNothingBeats) {
     const std::vector<ChartRow> rows{at(1, 5, 60), at(2, 1, 10), at(3, 1, 5), at(4, 2, 20), at(1, 6, 50)};
-    EXPECT_THAT(frontier(rows, Accuracy::mean), ElementsAre(true, true, false, false, false));
-    EXPECT_THAT(frontier(rows, Accuracy::max), ElementsAre(false, true, true, false, true));
+    EXPECT_THAT(frontier(rows, FrontierBy::mean), ElementsAre(true, true, false, false, false));
+    EXPECT_THAT(frontier(rows, FrontierBy::max), ElementsAre(false, true, true, false, true));
 }
 
 TEST(Frontier, EqualRowsStandTogether) {
-    EXPECT_THAT(frontier({at(1, 1, 1), at(1, 1, 1), at(1, 2, 2)}, Accuracy::max),
+    EXPECT_THAT(frontier({at(1, 1, 1), at(1, 1, 1), at(1, 2, 2)}, FrontierBy::max),
                 ElementsAre(true, true, false));
 }
 
 TEST(Frontier, ForgetsWhatRowsSaidBefore) {
     std::vector<ChartRow> rows{at(1, 1, 1), at(2, 2, 2)};
     rows[1].on_frontier = true;
-    EXPECT_THAT(frontier(rows, Accuracy::max), ElementsAre(true, false));
-    EXPECT_TRUE(frontier({}, Accuracy::max).empty());
+    EXPECT_THAT(frontier(rows, FrontierBy::max), ElementsAre(true, false));
+    EXPECT_TRUE(frontier({}, FrontierBy::max).empty());
 }
 
 TEST(ChartCsv, ReadsBackAsTheSame) {
