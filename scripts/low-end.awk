@@ -54,11 +54,12 @@ function heading(  line, rule, g) {
 }
 
 END {
-    print "# Every shader variant on old GPUs\n"
+    print "# The shader variants on old GPUs\n"
     print "Written by `scripts/low-end`: each variant compiled, linked and drawn once by Mesa's own compiler for each"
     print "GPU, without the GPU (its drivers run over a no-op drm-shim: compiles are real, pixels are not). These are"
     print "Mesa's compilers, not the vendors'. What passes has a program for both stages; GL itself reports success even"
-    print "where a driver drops the draw for want of one.\n"
+    print "where a driver drops the draw for want of one. Variants that leave nothing out, under 1, 2, 3 and 8 lamps, with no"
+    print "shadows and with as many as can be: the others have fewer instructions than one of these.\n"
     print "## The GPUs\n"
     print "| name | what it is | variants that run | the first that does not has |"
     print "|---|---|---:|---|"
