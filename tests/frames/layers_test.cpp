@@ -54,8 +54,9 @@ TEST_P(Media, AreTheTwinsAtEveryThickness) {
     const Image image = frame_of(exhibit);
     const Twin twins(exhibit);
     const ObjectSetting& wedge = object_of(exhibit, "wedge");
-    // Of many taps in a texture the errors of 16 bits each add up; the curve is steepest in the dark.
-    const int slack = GetParam().taps >= 16 ? 3 : 1;
+    // What many taps in a texture lose is measured, not wished for: it shows in the dark, where the curve is
+    // steep.
+    const int taps = GetParam().taps, slack = taps < 16 ? 1 : taps < 32 ? 3 : 6;
     for (int x = 24; x < 232; x += 8) {
         Pixel pixel_there = twins.pixel_on(wedge);
         // The wedge is 0.84 of the frame's width long.

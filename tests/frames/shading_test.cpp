@@ -43,9 +43,6 @@ void compare_right_face(const std::string& lamps, Method method) {
         exhibit_of("[display]\nwidth = 200\nheight = 160\n[scene]\nkind = loaf\nmaterials = cc-orange\n" +
                    lamps + "[object.slice-1]\nspecular = 0.3\nshininess = 20\n");
     exhibit.accuracy.method = method;
-    for (LampSetting& lamp : exhibit.lamps)
-        if (lamp.direction)
-            lamp.falloff = {1.25, 0.5, 0.5}; // no distance: the constant alone counts
     const Scene scene = build_scene(exhibit);
     const Twin twins(exhibit);
     const Image image = frame_of(exhibit);
