@@ -22,11 +22,18 @@ const std::vector<Experiment>& all() {
     return experiments;
 }
 
-const Experiment& named(const std::string& name) {
-    for (const Experiment& e : all())
-        if (e.name == name)
-            return e;
-    throw std::runtime_error("no experiment " + name);
+// One experiment by itself: each test is a process, and all of them take long under sanitizers.
+const Experiment& once(Experiment (*run)()) {
+    static std::map<Experiment (*)(), Experiment> done;
+    const auto found = done.find(run);
+    return found != done.end() ? found->second : done.emplace(run, run()).first->second;
+}
+
+Experiment green_line() {
+    return line_position("green", 540, 550);
+}
+Experiment yellow_line() {
+    return line_position("yellow", 580, 595);
 }
 
 // The difference of a method at the point nearest to x.
@@ -44,7 +51,7 @@ double greatest(const Experiment& e, const std::string& method) {
     return most;
 }
 
-TEST(Stability, HasEveryExperimentOfTheIssue) {
+void expect_every_experiment_of_the_issue() {
     std::vector<std::string> names;
     for (const Experiment& e : all())
         names.push_back(e.name);
@@ -71,14 +78,15 @@ TEST(Stability, HasEveryExperimentOfTheIssue) {
                                          "Colors outside the working space"}));
 }
 
-TEST(Stability, CurvesAscendAreNumbersAndComplete) {
+void expect_curves_that_ascend_and_are_numbers() {
     for (const Experiment& e : all()) {
         SCOPED_TRACE(e.name);
         ASSERT_THAT(e.points.size(), Ge(5u));
         for (std::size_t i = 0; i < e.points.size(); ++i) {
             EXPECT_TRUE(std::isfinite(e.points[i].x));
-            if (i > 0)
+            if (i > 0) {
                 EXPECT_LT(e.points[i - 1].x, e.points[i].x);
+            }
             EXPECT_EQ(e.points[i].delta_e.size(), e.points[0].delta_e.size());
             for (const auto& [method, difference] : e.points[i].delta_e) {
                 EXPECT_TRUE(std::isfinite(difference)) << method << " at " << e.points[i].x;
@@ -91,27 +99,27 @@ TEST(Stability, CurvesAscendAreNumbersAndComplete) {
 }
 
 TEST(Stability, SweepsReachWhatTheIssueAsksFor) {
-    const auto range = [](const std::string& name) {
-        const Experiment& e = named(name);
+    const auto range = [](Experiment (*run)()) {
+        const Experiment& e = once(run);
         return std::pair(e.points.front().x, e.points.back().x);
     };
     const auto near = [](double low, double high) {
         return ::testing::Pair(::testing::DoubleNear(low, 1e-9 * high),
                                ::testing::DoubleNear(high, 1e-9 * high));
     };
-    EXPECT_THAT(range("Width of a lamp's band"), near(0.1, 100));
-    EXPECT_THAT(range("Strength of the light"), near(1e-4, 1e4));
-    EXPECT_THAT(range("Dark materials"), near(0.001, 1));
-    EXPECT_THAT(range("Dim rows of the atlas"), near(1, 50));
-    EXPECT_THAT(range("Bits of a level"), near(4, 8));
-    EXPECT_THAT(range("Keys in half precision"), near(1, 255));
-    EXPECT_THAT(range("Thickness of a medium"), near(0, 6));
-    const Experiment& line = named("Position of a line, yellow");
+    EXPECT_THAT(range(line_width), near(0.1, 100));
+    EXPECT_THAT(range(strength), near(1e-4, 1e4));
+    EXPECT_THAT(range(dark_materials), near(0.001, 1));
+    EXPECT_THAT(range(dim_rows), near(1, 50));
+    EXPECT_THAT(range(level_bits), near(4, 8));
+    EXPECT_THAT(range(key_precision), near(1, 255));
+    EXPECT_THAT(range(thickness), near(0, 6));
+    const Experiment& line = once(yellow_line);
     EXPECT_NEAR(line.points[1].x - line.points[0].x, 0.1, 1e-9);
 }
 
 // A method is among the failures exactly if its curve leaves the limit, and fails where it does so.
-TEST(Stability, FailuresAgreeWithTheCurves) {
+void expect_failures_that_agree_with_the_curves() {
     for (const Experiment& e : all()) {
         std::map<std::string, double> fails;
         for (const Failure& fail : e.fails) {
@@ -140,62 +148,61 @@ TEST(Stability, FailuresAgreeWithTheCurves) {
 
 // What the guards are for, each against what it replaces.
 TEST(Guards, EnergyOfALineIsSharedByTwoIntervals) {
-    for (const char* name : {"Position of a line, green", "Position of a line, yellow"})
-        EXPECT_LT(greatest(named(name), "spectral"),
-                  0.5 * greatest(named(name), "spectral, nearest interval"))
-            << name;
-    const Experiment& width = named("Width of a lamp's band");
+    for (Experiment (*const line)() : {&green_line, &yellow_line})
+        EXPECT_LT(greatest(once(line), "spectral"), 0.5 * greatest(once(line), "spectral, nearest interval"));
+    const Experiment& width = once(line_width);
     EXPECT_LT(at(width, 0.1, "spectral"), 0.5 * at(width, 0.1, "spectral, point samples"));
 }
 
-TEST(Guards, FoldedHoldsWhateverTheSpectra) {
+void expect_folded_to_hold_whatever_the_spectra() {
     for (const Experiment& e : all())
-        if (e.points.front().delta_e.contains("folded") && e.name != "Strength of the light")
+        if (e.points.front().delta_e.contains("folded") && e.name != "Strength of the light") {
             EXPECT_LT(greatest(e, "folded"), 0.001) << e.name;
+        }
 }
 
 TEST(Guards, RowsAtFullScaleDoNotDim) {
-    const Experiment& dim = named("Dim rows of the atlas");
+    const Experiment& dim = once(dim_rows);
     EXPECT_GT(at(dim, 50, "spectral, lamp's row dim"), 5);
     EXPECT_GT(at(dim, 50, "spectral, material's row dim"), 5);
     EXPECT_LT(at(dim, 50, "spectral"), 0.5);
-    const Experiment& dark = named("Dark materials");
+    const Experiment& dark = once(dark_materials);
     EXPECT_GT(at(dark, 0.01, "spectral, rows not scaled"), 2);
     EXPECT_LT(greatest(dark, "spectral"), 0.5);
 }
 
 TEST(Guards, LevelsChosenTogetherBeatThoseRoundedOneByOne) {
-    for (const ExperimentPoint& point : named("Bits of a level").points)
+    for (const ExperimentPoint& point : once(level_bits).points)
         EXPECT_LE(point.delta_e.at("spectral"), point.delta_e.at("spectral, rounded one by one")) << point.x;
 }
 
 TEST(Guards, PartialSumsBearAGpuThatCuts) {
-    const Experiment& order = named("Order of a sum in half precision");
+    const Experiment& order = once(summation_order);
     const std::string cuts = "spectral in fp16 that cuts";
     EXPECT_LT(at(order, 4, cuts), 0.5 * at(order, 64, cuts));
     EXPECT_DOUBLE_EQ(at(order, 1, cuts), at(order, 64, cuts)) << "both are one sum of 64";
 }
 
 TEST(Guards, KeysAreRoundedAndTablesSmall) {
-    const Experiment& keys = named("Keys in half precision");
+    const Experiment& keys = once(key_precision);
     EXPECT_GT(greatest(keys, "key cut, GPU that cuts"), 10);
     EXPECT_EQ(greatest(keys, "key rounded, GPU that cuts"), 0);
-    const Experiment& texels = named("Coordinates in half precision");
+    const Experiment& texels = once(texel_precision);
     EXPECT_EQ(at(texels, 256, "coordinate in fp16"), 0);
     EXPECT_GT(at(texels, 2048, "coordinate in fp16"), 10);
 }
 
 TEST(Guards, TheNearestRowIsReadWithinHalfARow) {
-    const Experiment& rows = named("Filtering between rows");
+    const Experiment& rows = once(row_filtering);
     EXPECT_LT(at(rows, 0.49, "spectral"), 0.1);
     EXPECT_GT(at(rows, 0.02, "spectral, linear filter"), 1);
 }
 
 TEST(Guards, KeepHueKeepsTooMuchLightFromTurning) {
-    const Experiment& strength_of_light = named("Strength of the light");
+    const Experiment& strength_of_light = once(strength);
     EXPECT_GT(at(strength_of_light, 10, "folded, gamut = clip"), 10);
     EXPECT_LT(greatest(strength_of_light, "folded"), 1) << "what is left are steps of 8 bits";
-    const Experiment& outside = named("Colors outside the working space");
+    const Experiment& outside = once(outside_gamut);
     double clip = 0, keep = 0;
     for (const ExperimentPoint& point : outside.points) {
         clip += point.also.at("hue_turn_deg_clip");
@@ -205,19 +212,20 @@ TEST(Guards, KeepHueKeepsTooMuchLightFromTurning) {
 }
 
 TEST(Guards, TheDisplaysWhiteBearsLineLamps) {
-    const Experiment& white = named("The white of CIELAB");
+    const Experiment& white = once(lightness_white);
     EXPECT_GT(at(white, 0.1, "the lamp's white"), 30);
     EXPECT_LT(greatest(white, "the display's white"), 1);
 }
 
 TEST(Outside, CountsPatchesPerLampOfTheLibrary) {
-    const Experiment& outside = named("Colors outside the working space");
+    const Experiment& outside = once(outside_gamut);
     std::set<std::string> names;
     for (std::size_t i = 0; i < outside.points.size(); ++i) {
         const ExperimentPoint& point = outside.points[i];
         EXPECT_EQ(point.x, static_cast<double>(i + 1));
-        if (i > 0)
+        if (i > 0) {
             EXPECT_LE(outside.points[i - 1].also.at("outside"), point.also.at("outside"));
+        }
         EXPECT_LE(point.also.at("outside"), point.also.at("materials"));
         names.insert(point.name);
     }
@@ -226,12 +234,15 @@ TEST(Outside, CountsPatchesPerLampOfTheLibrary) {
     EXPECT_EQ(outside.points.back().also.at("outside"), 24);
 }
 
-TEST(StabilityText, FitsATerminalAndHoldsEveryFailureAndGuard) {
+void expect_text_that_fits_a_terminal() {
     const std::string text = stability_text(all());
     std::size_t begin = 0;
     for (std::size_t end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
         EXPECT_LE(end - begin, 100u) << text.substr(begin, end - begin);
     EXPECT_EQ(begin, text.size()) << "ends in a line break";
+}
+
+TEST(StabilityText, HoldsEveryFailureAndTheGuard) {
     const Experiment one{.name = "N",
                          .finding = "found",
                          .swept = "s",
@@ -251,6 +262,9 @@ TEST(StabilityCsv, HasALinePerPointAndMethod) {
     EXPECT_EQ(stability_csv({{one}}), "experiment,swept,unit,x,point,method,delta_e_2000\n"
                                       "\"a, \"\"b\"\"\",s,nm,0.1,p,m,2\n"
                                       "\"a, \"\"b\"\"\",s,nm,0.1,p,\"n, o\",1e-07\n");
+}
+
+void expect_a_line_per_point_and_method() {
     std::size_t lines = 1;
     for (const Experiment& e : all())
         for (const ExperimentPoint& point : e.points)
@@ -259,7 +273,7 @@ TEST(StabilityCsv, HasALinePerPointAndMethod) {
     EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), lines);
 }
 
-TEST(StabilityPages, AreOnePerGroupWithEveryLabelPlaced) {
+void expect_a_page_per_group_with_every_label_placed() {
     std::set<std::string> groups;
     for (const Experiment& e : all())
         groups.insert(e.group);
@@ -276,12 +290,22 @@ TEST(StabilityPages, AreOnePerGroupWithEveryLabelPlaced) {
     EXPECT_TRUE(stability_pages({}).empty());
 }
 
+TEST(Stability, IsWhole) {
+    expect_every_experiment_of_the_issue();
+    expect_curves_that_ascend_and_are_numbers();
+    expect_failures_that_agree_with_the_curves();
+    expect_folded_to_hold_whatever_the_spectra();
+    expect_text_that_fits_a_terminal();
+    expect_a_line_per_point_and_method();
+    expect_a_page_per_group_with_every_label_placed();
+}
+
 TEST(Stability, IsTheSameEveryTime) {
     for (Experiment (*const run)() : {&level_bits, &matrix_condition, &tap_counts}) {
         const Experiment again = run();
-        const Experiment& once = named(again.name);
-        EXPECT_EQ(stability_csv({{again}}), stability_csv({{once}}));
-        EXPECT_EQ(again.finding, once.finding);
+        const Experiment& before = once(run);
+        EXPECT_EQ(stability_csv({{again}}), stability_csv({{before}}));
+        EXPECT_EQ(again.finding, before.finding);
     }
 }
 
