@@ -146,7 +146,7 @@ std::string why_chosen(const Task& task, const ObjectPlan& plan, const std::stri
     case Method::reduced:
         return (task.object.medium ? "its thickness varies from pixel to pixel: " : "") +
                std::to_string(plan.taps.wavelength_nm.size()) +
-               " wavelengths chosen for these lamps, which " + holds + after;
+               " wavelengths chosen for these lamps err by at most " + number(plan.delta_e_bound) + after;
     case Method::packed:
     case Method::spectral:
         break;
