@@ -1,7 +1,6 @@
 // metamer chart: speed against accuracy, how cost grows, what old GPUs could draw.
-#include <cstdio>
+#include <algorithm>
 #include <ctime>
-#include <functional>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -99,6 +98,22 @@ std::string title_of(const Exhibit& exhibit) {
     return std::filesystem::path(exhibit.place).stem().string();
 }
 
+std::string without_folder(const std::string& name) {
+    const auto hash = std::min(name.find('#'), name.size());
+    return file_name(name.substr(0, hash)) + name.substr(hash);
+}
+
+/// Spectra of files by their files' names, without folders, where that still tells them apart.
+template <class Spectrum>
+void drop_folders(std::vector<Spectrum>& spectra) {
+    std::map<std::string, int> count;
+    for (const Spectrum& spectrum : spectra)
+        ++count[lower_case(without_folder(spectrum.name))];
+    for (Spectrum& spectrum : spectra)
+        if (count[lower_case(without_folder(spectrum.name))] == 1)
+            spectrum.name = without_folder(spectrum.name);
+}
+
 /// The lamps and materials asked for, those of the exhibit where nothing is; as one-lamp exhibits.
 std::vector<Exhibit> pairs_of(const Options& options, const Exhibit& exhibit) {
     if (options.lamps.empty() && options.materials.empty())
@@ -111,6 +126,8 @@ std::vector<Exhibit> pairs_of(const Options& options, const Exhibit& exhibit) {
     for (const std::string& name : expanded_materials(options.materials))
         materials.push_back(find_material(name, ".", &warnings));
     warn(warnings);
+    drop_folders(lamps);
+    drop_folders(materials);
     if (lamps.empty())
         for (const LampSetting& lamp : exhibit.lamps)
             lamps.push_back(lamp.lamp);

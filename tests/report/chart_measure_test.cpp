@@ -39,8 +39,7 @@ std::vector<ChartRow> rows_of(const Chart& chart, std::string_view method) {
     return out;
 }
 
-TEST_F(MeasureChart, HasEveryMethodInEveryWay) {
-    const Chart chart = measured(kLoaf);
+void expect_every_method_in_every_way(const Chart& chart) {
     EXPECT_EQ(chart.context.left_out, "");
     EXPECT_THAT(chart.rows, SizeIs(4 * (6 + kTapCounts.size() + 2)));
     std::set<std::tuple<std::string, int, Precision, Levels>> ways;
@@ -54,8 +53,7 @@ TEST_F(MeasureChart, HasEveryMethodInEveryWay) {
     EXPECT_EQ(chart.context.tolerance, 0.5);
 }
 
-TEST_F(MeasureChart, RatiosAreToRgbWithPow) {
-    const Chart chart = measured(kLoaf);
+void expect_ratios_to_rgb_with_pow(const Chart& chart) {
     const auto base = rows_of(chart, kBaseName), rgb = rows_of(chart, "rgb");
     ASSERT_THAT(base, SizeIs(4));
     for (const ChartRow& row : base) {
@@ -74,8 +72,7 @@ TEST_F(MeasureChart, RatiosAreToRgbWithPow) {
     }
 }
 
-TEST_F(MeasureChart, NamesTheWorstPair) {
-    const Chart chart = measured(kLoaf);
+void expect_the_worst_pair(const Chart& chart) {
     const auto row = rows_of(chart, "tristimulus").front();
     const AccuracyProbe probe(parse_exhibit(kLoaf, "the test", "."));
     double worst = 0;
@@ -89,8 +86,7 @@ TEST_F(MeasureChart, NamesTheWorstPair) {
     EXPECT_EQ(row.worst_lamp, "F11");
 }
 
-TEST_F(MeasureChart, MarksWhatThePlannerTook) {
-    const Chart chart = measured(kLoaf);
+void expect_what_the_planner_took(const Chart& chart) {
     for (const ChartRow& row : chart.rows)
         EXPECT_EQ(row.chosen, row.method == "folded" && row.precision == Precision::fp32 &&
                                   row.atlas == Levels::unquantized)
@@ -100,12 +96,21 @@ TEST_F(MeasureChart, MarksWhatThePlannerTook) {
         EXPECT_EQ(planned[i].delta_e_max, folded[i].delta_e_max);
 }
 
-TEST_F(MeasureChart, MarksTheFrontier) {
-    const Chart chart = measured(kLoaf);
+void expect_the_frontier(const Chart& chart) {
     std::vector<ChartRow> again = chart.rows;
     mark_frontier(again, FrontierBy::max);
     EXPECT_EQ(again, chart.rows);
     EXPECT_TRUE(std::any_of(again.begin(), again.end(), [](const ChartRow& row) { return row.on_frontier; }));
+}
+
+// One chart for all: measuring compiles every method's shaders.
+TEST_F(MeasureChart, IsCompleteAndConsistent) {
+    const Chart chart = measured(kLoaf);
+    expect_every_method_in_every_way(chart);
+    expect_ratios_to_rgb_with_pow(chart);
+    expect_the_worst_pair(chart);
+    expect_what_the_planner_took(chart);
+    expect_the_frontier(chart);
 }
 
 TEST_F(MeasureChart, LeavesOutWhatCannotDrawAMedium) {

@@ -53,7 +53,7 @@ TEST(GrowthRows, SayHowFlatThePlannedFrameIs) {
 
 TEST(GrowthRows, AreNoChartRows) {
     EXPECT_EQ(error_of([] { read_chart_csv(growth_csv(sample()), "g.csv"); }),
-              "2: cannot read g.csv:17: no column is named \"panel\"");
+              "2: cannot read g.csv:14: no column is named \"panel\"");
     EXPECT_EQ(error_of([] {
                   growth_csv({{}, {row("a\nb", "m", 1, 1)}});
               }),
