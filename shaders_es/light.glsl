@@ -32,7 +32,7 @@ vec3 arriving(vec4 place, vec3 falloff, vec3 normal, vec3 towards_eye, float eye
     float d = sqrt(square);
     float fading = max(falloff.x + d * falloff.y + square * falloff.z, LEAST_FALLOFF);
     float share = 1.0 / (d * fading); // of the ray's components in the light
-    float per_d = share * fading;
+    float per_d = share > 0.0 ? share * fading : 0.0; // where infinite fading leaves nothing
     float reach = share * d;
 #else
     vec3 ray = place.xyz;

@@ -18,7 +18,7 @@ constexpr SceneKindInfo kKinds[] = {
      true},
     {SceneKind::media, "media", "a wedge of colored glass and a liquid in a vessel before a light box",
      "rgb:FFFFFF", 1, 1, true},
-    {SceneKind::corner, "corner", "two colored walls at right angles that light each other",
+    {SceneKind::corner, "corner", "a colored wall and a floor that light each other",
      "crayon-red, crayon-white", 2, 2, false, true},
 };
 
@@ -62,14 +62,14 @@ std::vector<ObjectDefault> media(const std::string& ground) {
             thing("vessel", "liquid-allura-red", 2)};
 }
 
-/// Two walls at right angles, each lit by the lamps and by the other.
-std::vector<ObjectDefault> corner(const std::string& left, const std::string& right) {
-    ObjectDefault walls[2];
-    walls[0].name = "left";
-    walls[0].material = left;
-    walls[1].name = "right";
-    walls[1].material = right;
-    return {walls[0], walls[1]};
+/// A wall and a floor, each lit by the lamps and by the other.
+std::vector<ObjectDefault> corner(const std::string& wall, const std::string& floor) {
+    ObjectDefault planes[2];
+    planes[0].name = "wall";
+    planes[0].material = wall;
+    planes[1].name = "floor";
+    planes[1].material = floor;
+    return {planes[0], planes[1]};
 }
 
 /// Warm and cool things side by side: no lamp flatters both.

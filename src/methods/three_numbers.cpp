@@ -35,16 +35,25 @@ double grid_k(const Emission& lamp, const GridObserver& observer) {
     return k;
 }
 
-double packed_scale(const Emission& lamp, double strength, const GridObserver& observer) {
+namespace {
+
+// Of a lamp whose light the rows do not hold nothing is left: no division by zero.
+double per_k(const Emission& lamp, const GridObserver& observer) {
     const double k = grid_k(lamp, observer);
-    return k > 0 ? strength / k : 0;
+    return k > 0 ? 1 / k : 0;
+}
+
+} // namespace
+
+double packed_scale(const Emission& lamp, double strength, const GridObserver& observer) {
+    return strength * per_k(lamp, observer);
 }
 
 Xyz grid_xyz(const Emission& lamp, const Reflectance& material, const GridObserver& observer) {
     Xyz sum;
     for (std::size_t i = 0; i < kIntervals; ++i)
         sum = sum + lamp.value[i] * material.value[i] * Xyz{observer.x[i], observer.y[i], observer.z[i]};
-    return (1 / grid_k(lamp, observer)) * sum;
+    return per_k(lamp, observer) * sum;
 }
 
 Xyz lamp_xyz(const Emission& lamp, const GridObserver& observer) {

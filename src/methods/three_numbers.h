@@ -16,7 +16,7 @@ double grid_k(const Emission& lamp, const GridObserver& observer);
 double packed_scale(const Emission& lamp, double strength, const GridObserver& observer);
 
 /// XYZ of a material under a lamp on the grid, Y = 1 for the perfect reflector: equations 7.1, 7.6-7.10 in
-/// double.
+/// double; 0 for a lamp of k' = 0.
 Xyz grid_xyz(const Emission& lamp, const Reflectance& material, const GridObserver& observer);
 
 /// The lamp's three numbers: XYZ with R = 1.

@@ -1,5 +1,5 @@
 // Scenes without shading: ramps and patches, drawn in clip space.
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 #include "render/meshes.h"
@@ -25,22 +25,29 @@ Scene flat_scene() {
     return scene;
 }
 
-// Upright strips from left to right, each `thickness` thick (texture coordinate u, 0 .. 1) where it stands,
-// between a bottom and a top in shares of the frame.
-template <class Shape>
-SceneObject strips(const ObjectSetting& setting, double left, double right, int count, const Shape& shape) {
+// The chord of a circle seen from the front, as thickness (texture coordinate u, 0 .. 1): a round vessel.
+SceneObject vessel(const ObjectSetting& setting, double left, double top, double right, double bottom) {
+    constexpr int kColumns = 96;
+    const auto chord = [](double u) { return std::sqrt(std::max(0.0, 1 - (2 * u - 1) * (2 * u - 1))); };
     SceneObject object{&setting, {}};
     const auto point = [&](double u, double v) {
-        const auto [top, bottom, thickness] = shape(u);
-        const double x = left + (right - left) * u, y = bottom + (top - bottom) * v;
-        return glm::vec3(2 * x - 1, 1 - 2 * y, 0);
+        const double bulge = 0.012 * chord(u); // its rims, seen a little from above and below
+        const double y = bottom + bulge + (top - bottom - 2 * bulge) * v;
+        return glm::vec3(2 * (left + (right - left) * u) - 1, 1 - 2 * y, 0);
     };
-    add_surface(object.mesh, point, count, 1);
-    for (int row = 0; row < 2; ++row)
-        for (int column = 0; column <= count; ++column)
-            object.mesh
-                .vertices[static_cast<std::size_t>((row * (count + 1) + column) * kVertexFloats + kUvAt)] =
-                static_cast<float>(shape(static_cast<double>(column) / count)[2]);
+    add_surface(object.mesh, point, kColumns, 1);
+    for (std::size_t v = 0; v < object.mesh.vertices.size(); v += kVertexFloats) {
+        float& thickness = object.mesh.vertices[v + kUvAt];
+        thickness = static_cast<float>(chord(thickness));
+    }
+    return object;
+}
+
+// As thick as it is far down: 0 at the top, 1 at the bottom, as texture coordinate u.
+SceneObject wedge(const ObjectSetting& setting, double left, double top, double right, double bottom) {
+    SceneObject object = rectangle(setting, left, top, right, bottom);
+    for (std::size_t v = 0; v < object.mesh.vertices.size(); v += kVertexFloats)
+        object.mesh.vertices[v + kUvAt] = 1 - object.mesh.vertices[v + kUvAt + 1];
     return object;
 }
 
@@ -48,19 +55,11 @@ SceneObject strips(const ObjectSetting& setting, double left, double right, int 
 
 Scene build_media(const Exhibit& exhibit) {
     Scene scene = flat_scene();
-    for (const ObjectSetting& setting : exhibit.objects) {
-        if (setting.name == "wedge") // seen from the side of its growing thickness
-            scene.objects.push_back(strips(setting, 0.08, 0.92, 64, [](double u) {
-                return std::array{0.12, 0.44, u};
-            }));
-        else if (setting.name == "vessel") // the chord of a circle, seen from the front
-            scene.objects.push_back(strips(setting, 0.34, 0.66, 96, [](double u) {
-                const double across = 2 * u - 1, chord = std::sqrt(std::max(0.0, 1 - across * across));
-                return std::array{0.56 - 0.012 * chord, 0.92 + 0.012 * chord, chord};
-            }));
-        else
-            scene.objects.push_back(rectangle(setting, 0, 0, 1, 1));
-    }
+    // Both lie across the middle: the halves of a comparison see the same thicknesses.
+    for (const ObjectSetting& setting : exhibit.objects)
+        scene.objects.push_back(setting.name == "wedge"    ? wedge(setting, 0.1, 0.06, 0.9, 0.52)
+                                : setting.name == "vessel" ? vessel(setting, 0.34, 0.6, 0.66, 0.94)
+                                                           : rectangle(setting, 0, 0, 1, 1));
     // Nearer to the eye in clip space: the box is behind.
     for (SceneObject& object : scene.objects)
         if (object.setting->medium)

@@ -23,31 +23,26 @@ std::vector<glm::vec3> lamps_at_the_viewer() {
 
 } // namespace
 
-// The walls meet in a vertical edge at the back; u runs from the edge outwards, a wall's width is 1.
+// The wall stands behind the floor; u runs from their common edge outwards, either is 1 deep and twice as
+// wide.
 Scene build_corner(const Exhibit& exhibit) {
     Scene scene;
-    const float side = 1 / std::numbers::sqrt2_v<float>, half_height = 0.75f;
-    for (std::size_t i = 0; i < exhibit.objects.size(); ++i) {
-        SceneObject wall{&exhibit.objects[i], {}};
-        const float x = (i == 0 ? -1.0f : 1.0f) * side;
-        const glm::vec3 low_edge(0, -half_height, 0), high_edge(0, half_height, 0);
-        const glm::vec3 low_end(x, -half_height, side), high_end(x, half_height, side);
-        if (i == 0)
-            add_quad(wall.mesh, low_end, low_edge, high_edge, high_end);
+    for (const ObjectSetting& setting : exhibit.objects) {
+        SceneObject plane{&setting, {}};
+        if (setting.name == "wall")
+            add_quad(plane.mesh, {1, 0, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, 0, 0});
         else
-            add_quad(wall.mesh, low_edge, low_end, high_end, high_edge);
-        if (i == 0) // that quad's u runs the other way
-            for (std::size_t v = kUvAt; v < wall.mesh.vertices.size(); v += kVertexFloats)
-                wall.mesh.vertices[v] = 1 - wall.mesh.vertices[v];
-        scene.objects.push_back(std::move(wall));
+            add_quad(plane.mesh, {-1, 0, 0}, {-1, 0, 1}, {1, 0, 1}, {1, 0, 0});
+        scene.objects.push_back(std::move(plane));
     }
     scene.camera = {
-        .eye = {0, 0.5f, 5}, .target = {0, 0, 0.4f}, .field_of_view_deg = 22, .half_size = {0.9f, 0.9f}};
-    scene.radius = 1.3f;
-    // From one side, so that one wall is bright and the other lives on its light; then from the other.
-    for (const glm::vec3& direction : {glm::vec3(0.6f, 0.3f, 0.75f), glm::vec3(-0.6f, 0.3f, 0.75f),
-                                       glm::vec3(0, 0.5f, 1), glm::vec3(0, -0.5f, 1), glm::vec3(0.3f, 0, 1),
-                                       glm::vec3(-0.3f, 0, 1), glm::vec3(0, 1, 0.6f), glm::vec3(0, 0, 1)})
+        .eye = {0, 2.6f, 5}, .target = {0, 0.36f, 0.4f}, .field_of_view_deg = 22, .half_size = {1.2f, 0.85f}};
+    scene.radius = 1.6f;
+    // The first grazes the floor, which lives on the wall's light; the second the wall.
+    for (const glm::vec3& direction :
+         {glm::vec3(0, 0.2f, 1), glm::vec3(0, 1, 0.2f), glm::vec3(-0.5f, 0.6f, 0.7f),
+          glm::vec3(0.5f, 0.6f, 0.7f), glm::vec3(-0.8f, 0.3f, 0.5f), glm::vec3(0.8f, 0.3f, 0.5f),
+          glm::vec3(0, 1, 0), glm::vec3(0, 1, 1)})
         scene.lamp_directions.push_back(glm::normalize(direction));
     return scene;
 }

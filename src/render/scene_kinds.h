@@ -10,7 +10,7 @@ Scene build_crayons(const Exhibit& exhibit);    ///< figures 48-51: crayons side
 Scene build_still_life(const Exhibit& exhibit); ///< figures 52-53: objects on a table
 Scene build_ramp(const Exhibit& exhibit);       ///< chapter 8.3: bars between two materials
 Scene build_media(const Exhibit& exhibit);      ///< a wedge of glass and a vessel before a light box
-Scene build_corner(const Exhibit& exhibit);     ///< two walls at right angles that light each other
+Scene build_corner(const Exhibit& exhibit);     ///< a wall and a floor that light each other
 Scene build_patches(const Exhibit& exhibit);    ///< a grid of flat patches
 
 } // namespace metamer

@@ -17,14 +17,17 @@ std::uint8_t& byte(Image& image, int column, int row, std::size_t channel) {
     return image.rgba[static_cast<std::size_t>(4 * (row * image.width + column)) + channel];
 }
 
-// Three numbers over a range as two texels, `high_*` and `low_*`.
-void put(Image& image, int high_column, int high_row, int low_column, int low_row,
-         const std::array<double, 3>& numbers, const std::array<double, 2>& range) {
+// Three numbers over a range as two texels, `high_*` and `low_*`. Returns what rounding left over.
+std::array<double, 3> put(Image& image, int high_column, int high_row, int low_column, int low_row,
+                          const std::array<double, 3>& numbers, const std::array<double, 2>& range) {
+    std::array<double, 3> left{};
     for (std::size_t c = 0; c < 3; ++c) {
         const auto [high, low] = two_bytes(range[1] > 0 ? (numbers[c] - range[0]) / range[1] : 0);
         byte(image, high_column, high_row, c) = high;
         byte(image, low_column, low_row, c) = low;
+        left[c] = numbers[c] - (range[0] + range[1] * (256 * high + low) / 65535);
     }
+    return left;
 }
 
 template <class Numbers>
@@ -100,9 +103,14 @@ TapTable tap_table(const std::vector<std::vector<std::array<double, 3>>>& colors
     for (std::size_t l = 0; l < colors.size(); ++l) {
         out.ranges.push_back(range_of(colors[l]));
         const int row = 2 * static_cast<int>(l);
-        for (std::size_t i = 0; i < colors[l].size(); ++i)
-            put(out.image, static_cast<int>(i), row, static_cast<int>(i), row + 1, colors[l][i],
-                out.ranges[l]);
+        // What rounding leaves of one weight goes to the next, whose light is nearly the same: sums come out.
+        std::array<double, 3> left{};
+        for (std::size_t i = 0; i < colors[l].size(); ++i) {
+            for (std::size_t c = 0; c < 3; ++c)
+                left[c] += colors[l][i][c];
+            left =
+                put(out.image, static_cast<int>(i), row, static_cast<int>(i), row + 1, left, out.ranges[l]);
+        }
     }
     const auto [least, most] = std::minmax_element(layers.begin(), layers.end());
     out.layer_range = {std::min(*least, 0.0), std::max(*most, 0.0) - std::min(*least, 0.0)};

@@ -94,12 +94,12 @@ TEST(Load, MediaHaveGlassALiquidAndTheirThickness) {
     EXPECT_EQ(own.objects[2].medium->material.name, "liquid-allura-red");
 }
 
-TEST(Load, ACornerIsTwoWalls) {
+TEST(Load, ACornerIsAWallAndAFloor) {
     const Exhibit exhibit = exhibit_of("[scene]\nkind = corner\nmaterials = cc-red, cc-white\n");
     ASSERT_EQ(exhibit.objects.size(), 2u);
-    EXPECT_EQ(exhibit.objects[0].name, "left");
+    EXPECT_EQ(exhibit.objects[0].name, "wall");
     EXPECT_EQ(exhibit.objects[0].material.material.name, "cc-red");
-    EXPECT_EQ(exhibit.objects[1].name, "right");
+    EXPECT_EQ(exhibit.objects[1].name, "floor");
     EXPECT_EQ(exhibit.objects[1].material.material.name, "cc-white");
 }
 
