@@ -1,6 +1,6 @@
-// dump_shaders DIR [--ends]: writes shader variants as a driver gets them, NAME.vert and NAME.frag: every one; or, for
-// compilers that take long, those that leave nothing out, under 1, 2, 3 and 8 lamps, with no shadows and with as many as
-// can be.
+// dump_shaders DIR [--ends]: writes shader variants as a driver gets them, NAME.vert and NAME.frag: every
+// one; or, for compilers that take long, those that leave nothing out, under 1, 2, 3 and 8 lamps, with no
+// shadows and with as many as can be.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
