@@ -1,0 +1,211 @@
+// The brightest, nearest and most saturated lamps on the blackest things, drawn by any method into a small
+// frame.
+#pragma once
+
+#include <GLES2/gl2.h>
+#include <map>
+#include <optional>
+
+#include "frames/frames.h"
+#include "frames/watched.h"
+#include "gles/framebuffer.h"
+#include "gles/mesh.h"
+#include "gles/texture.h"
+#include "methods/shade.h"
+#include "render/draws.h"
+#include "render/surface_maps.h"
+#include "render/tables.h"
+
+namespace metamer {
+
+inline constexpr int kSidePx = 16;
+/// The middle of a pixel: a lamp there is at no distance from it.
+inline constexpr Vec3 kOnPixel{0.0625, 0.0625, 0};
+
+/// The whole frame, facing the eye; texture coordinates from corner to corner.
+inline MeshData plane() {
+    MeshData mesh;
+    for (const auto& [x, y] : {std::pair{-1.0F, -1.0F}, {1.0F, -1.0F}, {1.0F, 1.0F}, {-1.0F, 1.0F}})
+        mesh.vertices.insert(mesh.vertices.end(), {x, y, 0, 0, 0, 1, 1, 0, 0, x / 2 + 0.5F, y / 2 + 0.5F});
+    mesh.indices = {0, 1, 2, 0, 2, 3};
+    return mesh;
+}
+
+/// Lamps that no display can show: their light has negative components, in other places each.
+inline const char* const kOneLamp = "[lamp.1]\nspectrum = line:510\n";
+inline const char* const kTwoLamps = "[lamp.1]\nspectrum = line:510\n[lamp.2]\nspectrum = line:660\n";
+/// A lamp whose k' is 0 in the rows of 8 bits.
+inline const char* const kVioletLamp = "[lamp.1]\nspectrum = line:390\n";
+
+/// A scene whose first object is of a surface; two materials, white, and a black of reflectance 0.
+inline Exhibit exhibit_with(Surface surface, const std::string& lamps) {
+    const bool media = surface == Surface::medium;
+    const std::string kind = media                                                        ? "media"
+                             : surface == Surface::ramp || surface == Surface::ramp_codes ? "ramp"
+                             : surface == Surface::bounce                                 ? "corner"
+                                                                                          : "loaf";
+    Exhibit exhibit = exhibit_of("[scene]\nkind = " + kind + "\nmaterials = rgb:FFFFFF" +
+                                 (media ? "" : ", rgb:000000") + "\n" + lamps);
+    if (media)
+        exhibit.objects = {exhibit.objects[1]};
+    if (kind == "ramp")
+        exhibit.objects.resize(1);
+    const auto make_black = [&](int key, std::size_t step) {
+        for (std::size_t i = 0; i < kIntervals; i += step)
+            exhibit.atlas.rgba[atlas_byte(key, i, AtlasChannel::material)] = 0;
+        exhibit.materials.erase(key);
+    };
+    ObjectSetting& object = exhibit.objects[0];
+    if (media)
+        make_black(object.medium->key, 2);
+    else
+        make_black(kind == "ramp" ? object.material_end->key : exhibit.objects[1].material.key, 1);
+    if (surface == Surface::maps) {
+        const auto key = static_cast<std::uint8_t>(object.material.key),
+                   black = static_cast<std::uint8_t>(exhibit.objects[1].material.key);
+        object.key_map = Image{2, 1, {key, 0, 0, 255, black, 0, 0, 255}};
+        object.bump_map = Image{2, 2, {0, 0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255, 0, 0, 0, 255}};
+        object.bump = 1;
+    }
+    return exhibit;
+}
+
+/// One surface under some lamps by one method: what stays while lamps get brighter and move.
+class Subject {
+public:
+    Subject(Surface surface, Method method, const std::string& lamps)
+        : exhibit(exhibit_with(surface, lamps)),
+          method_(method),
+          spectra_(exhibit),
+          scene_(build_scene(exhibit)) {
+        if (method != Method::reduced)
+            return;
+        const HalfView view = half_views(exhibit).front();
+        Pixel pixel = pixel_of(view);
+        pixel.material = spectra_.material(object().material.key);
+        if (object().medium) {
+            pixel.medium = spectra_.material(object().medium->key);
+            pixel.thickness = 2;
+        }
+        taps_ = taps_for(pixel, 8);
+    }
+
+    ObjectSetting& object() { return exhibit.objects[0]; }
+
+    HalfDraws draws() const {
+        HalfPlan plan{half_views(exhibit).front(), {}};
+        for (const ObjectSetting& each : exhibit.objects) {
+            ObjectPlan& of = plan.objects.emplace_back();
+            of.object = each.name;
+            of.method = method_;
+            of.taps = taps_;
+        }
+        return half_draws(exhibit, spectra_, plan, scene_, {});
+    }
+
+    Exhibit exhibit;
+
+private:
+    Method method_;
+    ExhibitSpectra spectra_;
+    Scene scene_;
+    Taps taps_;
+};
+
+/// What draws them: edited programs, each built once.
+class Stage {
+public:
+    std::vector<EncodedRgb8> draw(const Exhibit& exhibit, const HalfDraws& draws,
+                                  const FragmentEdits& edits) {
+        const Draw& draw = draws.objects.front();
+        const Program& program = get(draw.variant, edits);
+        program.set("u_clip_from_world", glm::mat4(1));
+        program.set("u_eye", glm::vec3(0.0625F, 0.0625F, 3));
+        program.set("u_zero", 0.0F);
+        program.set("u_nought", 0.0F);
+        set_uniforms(program, draws.lamps.at(draw.variant.method));
+        set_uniforms(program, draw.uniforms);
+        const auto upload = [](const Image& image) {
+            return Texture(image.width, image.height, image.rgba, {Filter::nearest, Wrap::clamp, false});
+        };
+        const auto& rows = exhibit.atlas.rgba;
+        const Texture atlas = upload(draw.variant.method == Method::packed
+                                         ? packed_atlas(exhibit.atlas)
+                                         : Image{kAtlasSize, kAtlasSize, {rows.begin(), rows.end()}});
+        std::optional<Texture> materials, taps;
+        std::optional<SurfaceMaps> maps;
+        if (draw.material_map)
+            materials.emplace(upload(*draw.material_map)).bind(kMaterialUnit);
+        if (draw.tap_table)
+            taps.emplace(upload(*draw.tap_table)).bind(kTapUnit);
+        if (draw.variant.surface == Surface::maps)
+            maps.emplace(exhibit.objects[0]).bind(kKeyUnit, kLuminanceUnit, kNormalUnit);
+        atlas.bind(kAtlasUnit);
+        return picture();
+    }
+
+private:
+    const Program& get(const Variant& variant, const FragmentEdits& edits) {
+        const std::string name = shader_variant(variant).name + edits.key();
+        auto found = programs_.find(name);
+        if (found == programs_.end())
+            found = programs_.emplace(name, edited_program(variant, edits)).first;
+        return found->second;
+    }
+
+    std::vector<EncodedRgb8> picture() const {
+        target_.bind();
+        glClearColor(0, 0, 0, 0);
+        glClear(GL_COLOR_BUFFER_BIT);
+        mesh_.draw();
+        const Image image{kSidePx, kSidePx, target_.read_rgba()};
+        std::vector<EncodedRgb8> pixels;
+        for (int i = 0; i < kSidePx * kSidePx; ++i)
+            pixels.push_back(pixel(image, i % kSidePx, i / kSidePx));
+        return pixels;
+    }
+
+    Surfaceless context_;
+    Framebuffer target_{kSidePx, kSidePx};
+    Mesh mesh_{plane()};
+    std::map<std::string, Program> programs_;
+};
+
+/// Pixels of a watched picture that met something other than a number.
+inline int not_numbers(const std::vector<EncodedRgb8>& watched) {
+    return static_cast<int>(std::count_if(watched.begin(), watched.end(), [](const auto& p) {
+        return p != EncodedRgb8{255, 255, 255};
+    }));
+}
+
+struct Place {
+    const char* name;
+    Vec3 position;
+    Falloff falloff;
+};
+inline const Place kPlaces[] = {{"far behind a steep falloff", {100, 100, 100}, {0, 0, 1e6}},
+                                {"far without falloff", {-100, 100, 100}, {1, 0, 0}},
+                                {"far and not falling off", {0, 0, 100}, {0, 0, 1e-6}},
+                                {"at a pixel", kOnPixel, {1, 0, 0}},
+                                {"at a pixel without falloff", kOnPixel, {0, 0, 1e-6}},
+                                {"at a pixel with a steep falloff", kOnPixel, {0, 1e6, 1e6}},
+                                {"before a pixel", {0.0625, 0.0625, 0.02}, {0, 0, 1e-6}}};
+
+/// Of the first lamp, the second, and so on in turns.
+using Strengths = std::vector<double>;
+inline const Strengths kBright{1e6}, kMixed{1e6, 0, 1e-4, 1e4};
+inline const Strengths kStrengths[] = {{0}, {1e-4}, {1e4}, kBright, kMixed};
+
+inline void set_strengths(Exhibit& exhibit, const Strengths& strengths) {
+    for (std::size_t l = 0; l < exhibit.lamps.size(); ++l)
+        exhibit.lamps[l].strength = strengths[l % strengths.size()];
+}
+
+inline void put(Exhibit& exhibit, const Place& place) {
+    for (LampSetting& lamp : exhibit.lamps) {
+        lamp.position = place.position;
+        lamp.falloff = place.falloff;
+    }
+}
+
+} // namespace metamer
