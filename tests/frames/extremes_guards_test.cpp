@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "frames/extremes.h"
+#include "frames/stage.h"
 #include "gles/precision_probe.h"
 
 namespace metamer {

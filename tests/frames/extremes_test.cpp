@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "frames/extremes.h"
+#include "frames/stage.h"
 
 namespace metamer {
 namespace {
