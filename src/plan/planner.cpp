@@ -1,6 +1,7 @@
 #include "plan/planner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "base/error.h"
@@ -105,8 +106,19 @@ Candidate candidate(const Task& task, Method method, int taps) {
     return {method, taps, cost_ratio(work)};
 }
 
+/// Whether light times the matrix stays a number in half precision, where the shader multiplies by one.
+bool matrix_holds(const Task& task, Method method) {
+    constexpr double kMostHalf = 65504;
+    if (task.fragment_bits >= kFloatBits || method == Method::folded || method == Method::reduced)
+        return true;
+    for (const auto& row : rgb_from_numbers(method, task.view.output_of()).m)
+        if (kMostLight * (std::abs(row[0]) + std::abs(row[1]) + std::abs(row[2])) > kMostHalf)
+            return false;
+    return true;
+}
+
 bool can_be_drawn(const Task& task, Method method) {
-    return can_draw(method, task.object.medium.has_value());
+    return can_draw(method, task.object.medium.has_value()) && matrix_holds(task, method);
 }
 
 /// Every way to draw the object, the cheapest first. A ramp in code values mixes something else.
@@ -178,10 +190,13 @@ ObjectPlan chosen(const Task& task, double tolerance) {
 }
 
 ObjectPlan as_asked(const Task& task, Method method) {
+    const std::string name(method_name(method));
     if (!can_be_drawn(task, method))
         throw bad_input("draw", "object \"" + task.object.name + "\" of " + task.exhibit.place,
-                        "method " + std::string(method_name(method)) +
-                            " is a constant, and its medium's thickness varies");
+                        matrix_holds(task, method)
+                            ? "method " + name + " is a constant, and its medium's thickness varies"
+                            : "this GPU computes in half precision, where method " + name +
+                                  " overflows with so great a matrix; folded and reduced do not");
     ObjectPlan plan =
         tried(task, candidate(task, method, method == Method::reduced ? task.exhibit.accuracy.taps : 0), 1e9);
     plan.asked = true;

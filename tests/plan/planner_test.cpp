@@ -101,6 +101,18 @@ TEST(Planner, AConstantCannotBeAMedium) {
               "thickness varies");
 }
 
+// 4096 times a row of entries above 15.99 in sum is infinite in half, and infinity less infinity is no
+// number.
+TEST(Planner, AMatrixThatOverflowsInHalfIsLeftToSumsOnTheCpu) {
+    const std::string great = "[display]\nmatrix = 20 -10 0 0 1 0 0 0 1\n[scene]\nkind = patches\n"
+                              "materials = cc-red\n";
+    EXPECT_EQ(error_of([&] { Planned(great + "[accuracy]\nmethod = spectral\n", 10); }),
+              "cannot draw object \"patch-1\" of k.ini: this GPU computes in half precision, where method "
+              "spectral overflows with so great a matrix; folded and reduced do not");
+    EXPECT_NO_THROW(Planned(great + "[accuracy]\nmethod = spectral\n", 23));
+    EXPECT_EQ(Planned(great, 10).of("patch-1").method, Method::folded);
+}
+
 // Half precision, 64 or 32 terms: nothing is as near as a hundredth.
 TEST(Planner, AToleranceThatNothingHoldsIsRefusedByName) {
     const std::string message =
