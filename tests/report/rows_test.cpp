@@ -116,16 +116,16 @@ std::string with(const std::string& from, const std::string& to) {
 
 TEST(ReadChartCsv, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(with("m,0,fp32", "m,0.5,fp32"),
-              "2: cannot read a.csv:12: taps = 0.5 is no whole number of at least 0");
+              "2: cannot read a.csv:15: taps = 0.5 is no whole number of at least 0");
     EXPECT_EQ(with("m,0,fp32", "m,0,fp64"),
-              "2: cannot read a.csv:12: precision = fp64 is neither fp16 nor fp32");
-    EXPECT_EQ(with(",2,", ",-2,"), "2: cannot read a.csv:12: cost_ratio = -2 is no number of at least 0");
-    EXPECT_EQ(with("false", "no"), "2: cannot read a.csv:12: on_frontier = no is neither true nor false");
-    EXPECT_EQ(with(",2,", ",2,2,"), "2: cannot read a.csv:12: 18 cells under 17 columns");
+              "2: cannot read a.csv:15: precision = fp64 is neither fp16 nor fp32");
+    EXPECT_EQ(with(",2,", ",-2,"), "2: cannot read a.csv:15: cost_ratio = -2 is no number of at least 0");
+    EXPECT_EQ(with("false", "no"), "2: cannot read a.csv:15: on_frontier = no is neither true nor false");
+    EXPECT_EQ(with(",2,", ",2,2,"), "2: cannot read a.csv:15: 18 cells under 17 columns");
     EXPECT_EQ(with(",taps", ",tap"),
-              "2: cannot read a.csv:11: no column is named \"tap\"; did you mean \"taps\"?");
-    EXPECT_EQ(with(",taps", ""), "2: cannot read a.csv:11: the column taps is missing");
-    EXPECT_EQ(with(",taps", ",ms"), "2: cannot read a.csv:11: the column ms is there twice");
+              "2: cannot read a.csv:14: no column is named \"tap\"; did you mean \"taps\"?");
+    EXPECT_EQ(with(",taps", ""), "2: cannot read a.csv:14: the column taps is missing");
+    EXPECT_EQ(with(",taps", ",ms"), "2: cannot read a.csv:14: the column ms is there twice");
     EXPECT_EQ(with("tolerance: 0", "tolerance: x"),
               "2: cannot read a.csv: tolerance: x is no number of at least 0");
     EXPECT_EQ(error_of([] { read_chart_csv("", "a.csv"); }), "2: cannot read a.csv: it has no header line");
