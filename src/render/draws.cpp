@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "methods/three_numbers.h"
+#include "render/meshes.h"
 #include "render/tables.h"
 
 namespace metamer {
@@ -49,7 +50,7 @@ public:
           output_(plan.view.output_of()),
           rgb_from_xyz_(output_.adapted_rgb_from_xyz()) {}
 
-    Draw draw(const ObjectSetting& object, const ObjectPlan& plan) const;
+    Draw draw(const SceneObject& shape, const ObjectPlan& plan) const;
     Uniforms lamps(Method method, std::span<const ShadowTile> shadows) const;
 
 private:
@@ -281,7 +282,8 @@ void HalfBuilder::add_reduced(Draw& draw, const ObjectSetting& object, const Tap
     draw.uniforms.push_back({"u_tap", uniform});
 }
 
-Draw HalfBuilder::draw(const ObjectSetting& object, const ObjectPlan& plan) const {
+Draw HalfBuilder::draw(const SceneObject& shape, const ObjectPlan& plan) const {
+    const ObjectSetting& object = *shape.setting;
     const int lamps = static_cast<int>(plan_.view.lamps.size());
     Draw draw;
     draw.variant.method = plan.method;
@@ -290,6 +292,7 @@ Draw HalfBuilder::draw(const ObjectSetting& object, const ObjectPlan& plan) cons
     draw.variant.mirrors = scene_.lit && (object.specular > 0 || style_.everybody);
     draw.variant.shadows = plan_.view.shadows;
     draw.variant.surface = surface_of(exhibit_, object, plan.method);
+    draw.variant.smooth = !scene_.lit || style_.everybody || !is_of_planes(shape.mesh);
     // Scenes with a second wall take parallel light only.
     draw.variant.placed =
         scene_.lit && draw.variant.surface != Surface::bounce &&
@@ -331,7 +334,7 @@ HalfDraws half_draws(const Exhibit& exhibit, const ExhibitSpectra& spectra, cons
     HalfDraws out;
     for (const SceneObject& shape : scene.objects) {
         const auto object = static_cast<std::size_t>(shape.setting - exhibit.objects.data());
-        out.objects.push_back(builder.draw(*shape.setting, plan.objects[object]));
+        out.objects.push_back(builder.draw(shape, plan.objects[object]));
         const Method method = plan.objects[object].method;
         if (!out.lamps.contains(method))
             out.lamps.emplace(method, builder.lamps(method, shadows));

@@ -88,7 +88,7 @@ Scene build_crayons(const Exhibit& exhibit) {
                                          {0, tip + 0.1f * r}};
     for (std::size_t i = 0; i < exhibit.objects.size(); ++i) {
         SceneObject object{&exhibit.objects[i], {}};
-        add_lathe(object.mesh, {0, 0, 0}, profile, 48);
+        add_lathe(object.mesh, {0, 0, 0}, profile);
         lay_along_x(object.mesh);
         const float y = 1 - (static_cast<float>(i) + 0.5f) * pitch;
         for (std::size_t v = 0; v < object.mesh.vertices.size(); v += kVertexFloats)

@@ -13,6 +13,16 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
+// How far a chord may leave the curve that it stands for, scene units: half a pixel of the still life in a
+// frame of 1280 x 720. Every triangle more costs time.
+constexpr double kChordError = 0.0017;
+
+// Chords of a whole circle; even, so that half of them make a meridian.
+int chords_around(double radius) {
+    const double turn = 2 * std::acos(1 - std::min(kChordError / radius, 1.0));
+    return 2 * std::max(static_cast<int>(std::ceil(kTurn / turn / 2)), 4);
+}
+
 void add_vertex(MeshData& mesh, const glm::vec3& p, const glm::vec3& n, const glm::vec3& t, float u,
                 float v) {
     mesh.vertices.insert(mesh.vertices.end(), {p.x, p.y, p.z, n.x, n.y, n.z, t.x, t.y, t.z, u, v});
@@ -89,7 +99,10 @@ void add_box(MeshData& mesh, const glm::vec3& center, const glm::vec3& size, dou
     add_quad(mesh, corner(-1, -1, -1), corner(1, -1, -1), corner(1, -1, 1), corner(-1, -1, 1));
 }
 
-void add_lathe(MeshData& mesh, const glm::vec3& foot, std::span<const glm::vec2> profile, int segments) {
+void add_lathe(MeshData& mesh, const glm::vec3& foot, std::span<const glm::vec2> profile) {
+    float widest = 0;
+    for (const glm::vec2& p : profile)
+        widest = std::max(widest, p.x);
     for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
         if (profile[i] == profile[i + 1])
             continue;
@@ -99,7 +112,10 @@ void add_lathe(MeshData& mesh, const glm::vec3& foot, std::span<const glm::vec2>
             return foot + glm::vec3(static_cast<double>(p.x) * std::cos(angle), p.y,
                                     static_cast<double>(p.x) * std::sin(angle));
         };
-        add_surface(mesh, ring, segments, 3);
+        // A chord's error falls with the square of their number.
+        const double error = glm::length(along(profile, i, 0.5f) - 0.5f * (profile[i] + profile[i + 1]));
+        const int rows = std::max(static_cast<int>(std::ceil(std::sqrt(error / kChordError))), 1);
+        add_surface(mesh, ring, chords_around(widest), rows);
     }
 }
 
@@ -109,7 +125,7 @@ void add_sphere(MeshData& mesh, const glm::vec3& center, double radius) {
         return center + glm::vec3(radius * std::cos(up) * std::cos(around), radius * std::sin(up),
                                   radius * std::cos(up) * std::sin(around));
     };
-    add_surface(mesh, point, 48, 24);
+    add_surface(mesh, point, chords_around(radius), chords_around(radius) / 2);
 }
 
 void add_torus(MeshData& mesh, const glm::vec3& center, double radius, double tube) {
@@ -117,7 +133,17 @@ void add_torus(MeshData& mesh, const glm::vec3& center, double radius, double tu
         const double around = -kTurn * u, section = kTurn * v, r = radius + tube * std::cos(section);
         return center + glm::vec3(r * std::cos(around), tube * std::sin(section), r * std::sin(around));
     };
-    add_surface(mesh, point, 48, 24);
+    add_surface(mesh, point, chords_around(radius + tube), chords_around(tube));
+}
+
+bool is_of_planes(const MeshData& mesh) {
+    const auto normal = [&](std::size_t corner) {
+        return &mesh.vertices[mesh.indices[corner] * static_cast<std::size_t>(kVertexFloats) + 3];
+    };
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i)
+        if (!std::equal(normal(i), normal(i) + 3, normal(i - i % 3)))
+            return false;
+    return true;
 }
 
 void lay_along_x(MeshData& mesh) {

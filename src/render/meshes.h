@@ -26,12 +26,15 @@ void add_box(MeshData& mesh, const glm::vec3& center, const glm::vec3& size, dou
 
 /// Adds a body of revolution about the vertical through `foot`: (radius, height) from bottom to top, a smooth
 /// curve through the points; a point given twice makes a crease. u runs around, v along the profile.
-void add_lathe(MeshData& mesh, const glm::vec3& foot, std::span<const glm::vec2> profile, int segments = 48);
+void add_lathe(MeshData& mesh, const glm::vec3& foot, std::span<const glm::vec2> profile);
 
 void add_sphere(MeshData& mesh, const glm::vec3& center, double radius);
 
 /// Adds a ring lying flat: `radius` to the middle of its tube of radius `tube`.
 void add_torus(MeshData& mesh, const glm::vec3& center, double radius, double tube);
+
+/// Whether all its triangles are flat: the same normal at their three corners.
+bool is_of_planes(const MeshData& mesh);
 
 /// Swaps axes of a whole mesh: what stood upright along y lies along x.
 void lay_along_x(MeshData& mesh);

@@ -48,7 +48,7 @@ void add_cloth(MeshData& mesh) {
         const double y = 0.015 + 0.05 * (1 + std::sin(9 * u + 2 * v)) * (0.25 + 0.75 * v);
         return glm::vec3(x, y, z);
     };
-    add_surface(mesh, point, 32, 24);
+    add_surface(mesh, point, 24, 6);
 }
 
 // By the names that exhibit/scene_kinds lists.

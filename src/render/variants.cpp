@@ -95,7 +95,13 @@ void add_lit(std::vector<Variant>& variants, Variant v) {
                     v.surface = surface;
                     v.mirrors = mirrors;
                     v.placed = placed;
-                    if ((whole || at_an_end) && !(placed && surface == Surface::bounce))
+                    if (placed && surface == Surface::bounce)
+                        continue;
+                    v.smooth = true;
+                    if (whole || at_an_end)
+                        variants.push_back(v);
+                    v.smooth = false;
+                    if (whole && at_an_end)
                         variants.push_back(v);
                 }
 }
@@ -150,8 +156,9 @@ ShaderVariant shader_variant(const Variant& v) {
                (v.lamps == 1 ? "lamp-" : "lamps-") + (v.lit ? "lit-" : "flat-") +
                (v.shadows > 0 ? std::to_string(v.shadows) + "shadows-" : "") +
                std::string(kSurfaceNames[surface]) + (v.lit && !v.mirrors ? "-dull" : "") +
-               (v.lit && !v.placed ? "-parallel" : "") + std::string(kCurveNames[curve]) +
-               (v.output.keep_hue ? "-hue" : "") + (v.output.dither ? "-dither" : "");
+               (v.lit && !v.placed ? "-parallel" : "") + (v.smooth ? "" : "-planes") +
+               std::string(kCurveNames[curve]) + (v.output.keep_hue ? "-hue" : "") +
+               (v.output.dither ? "-dither" : "");
     out.vertex = "surface.vert";
     out.fragment = method + ".frag";
     out.defines = constants();
@@ -160,6 +167,7 @@ ShaderVariant shader_variant(const Variant& v) {
                                            {"LIT", flag(v.lit)},
                                            {"MIRRORS", flag(v.lit && v.mirrors)},
                                            {"PLACED", flag(v.lit && v.placed)},
+                                           {"SMOOTH", flag(v.smooth)},
                                            {"SHADOWS", std::to_string(v.shadows)},
                                            {"SURFACE", std::to_string(surface)},
                                            {"TAPS", std::to_string(v.taps)},

@@ -32,8 +32,9 @@ struct Variant {
     bool lit = true;     ///< false: I_shading = 1 everywhere (patches, ramps, media)
     bool mirrors = true; ///< false: nothing is mirrored, no highlight is computed; false where not lit
     bool placed =
-        true;        ///< false: lamps have directions only, no falloff; false where not lit, and for bounces
-    int shadows = 0; ///< of the first lamps, 0 .. min(lamps, kMostShadows)
+        true; ///< false: lamps have directions only, no falloff; false where not lit, and for bounces
+    bool smooth = true; ///< false: the mesh is of planes, whose normals need no length; true where not lit
+    int shadows = 0;    ///< of the first lamps, 0 .. min(lamps, kMostShadows)
     Surface surface = Surface::plain;
     int taps = 0; ///< of method reduced: in uniforms; 0: any number from a texture
     OutputStage output = {};
@@ -68,8 +69,8 @@ inline constexpr int kTapTableSize = 32;
 ShaderVariant shader_variant(const Variant& variant);
 
 /// Every variant that a frame may ask for with the common output; and, for one lamp, with every output. What
-/// only leaves something out (nothing mirrored, no lamp placed) is there at the ends alone: without shadows,
-/// and with as many as can be.
+/// only leaves something out (nothing mirrored, no lamp placed, planes) is there at the ends alone: without
+/// shadows, and with as many as can be.
 std::vector<Variant> all_variants();
 
 /// The same as files and defines, the shadow pass with them.

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace metamer {
 namespace {
@@ -105,6 +106,41 @@ TEST(Meshes, TorusHasItsTube) {
     }
 }
 
+// Half a pixel of the still life at 1280 x 720, around and along; both add on a diagonal. Coarse enough to be
+// cheap, fine enough to be round.
+TEST(Meshes, ChordsStayByTheirCurve) {
+    for (const double radius : {0.08, 0.3, 0.55}) {
+        MeshData mesh;
+        add_sphere(mesh, {0, 0, 0}, radius);
+        double furthest = 0;
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+            const glm::vec3 middle =
+                0.5f * (vertex(mesh, mesh.indices[i]).position + vertex(mesh, mesh.indices[i + 1]).position);
+            furthest = std::max(furthest, radius - static_cast<double>(glm::length(middle)));
+        }
+        EXPECT_LE(furthest, 2 * 0.0017) << radius;
+        EXPECT_GT(furthest, 0.0017) << radius << ": more triangles than a frame can show";
+    }
+    MeshData mesh;
+    add_lathe(mesh, {0, 0, 0}, std::vector<glm::vec2>{{0.4f, 0}, {0.4f, 1}});
+    for (std::size_t i = 0; i < mesh.vertices.size() / kVertexFloats; ++i) {
+        const float y = vertex(mesh, i).position.y;
+        EXPECT_TRUE(y == 0 || y == 1) << "a straight profile needs no ring between its ends";
+    }
+}
+
+TEST(Meshes, OfPlanesWhereNoTriangleBends) {
+    MeshData box, sphere, cylinder;
+    add_box(box, {0, 0, 0}, {1, 2, 3}, 0.4);
+    EXPECT_TRUE(is_of_planes(box));
+    add_sphere(sphere, {0, 0, 0}, 1);
+    EXPECT_FALSE(is_of_planes(sphere));
+    add_lathe(cylinder, {0, 0, 0}, std::vector<glm::vec2>{{0.4f, 0}, {0.4f, 1}});
+    EXPECT_FALSE(is_of_planes(cylinder));
+    add_sphere(box, {0, 0, 0}, 1);
+    EXPECT_FALSE(is_of_planes(box)) << "one round part is enough";
+}
+
 // Through a point that is given once the profile runs smoothly, along the chord of its neighbors.
 TEST(Meshes, LatheIsSmoothAtASinglePoint) {
     MeshData mesh;
@@ -121,7 +157,8 @@ TEST(Meshes, LatheIsSmoothAtASinglePoint) {
         const glm::vec2 out = glm::normalize(glm::vec2(v.position.x, v.position.z));
         EXPECT_NEAR(glm::dot(out, glm::vec2(v.normal.x, v.normal.z)), normal.x, 0.02) << "outwards";
     }
-    EXPECT_GT(seen, 90) << "the end of one piece and the beginning of the next";
+    EXPECT_GE(seen, 2 * (std::numbers::pi / std::acos(1 - 0.0017 / 0.5)))
+        << "the end of one piece and the beginning of the next";
 }
 
 TEST(Meshes, LatheGoesThroughItsProfile) {

@@ -72,6 +72,7 @@ TEST(Surfaces, FollowTheObject) {
 /// The variant of which this one only leaves something out.
 Variant whole(Variant variant) {
     variant.mirrors = variant.lit;
+    variant.smooth = true;
     variant.placed = variant.lit && variant.surface != Surface::bounce;
     return variant;
 }

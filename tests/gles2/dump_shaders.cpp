@@ -17,7 +17,7 @@ namespace {
 bool is_end(const metamer::Variant& v) {
     const bool few = v.lamps <= 3 || v.lamps == metamer::kMostLamps;
     const bool bounce = v.surface == metamer::Surface::bounce;
-    const bool whole = !v.lit || (v.mirrors && (v.placed || bounce));
+    const bool whole = !v.lit || (v.mirrors && v.smooth && (v.placed || bounce));
     const bool shadows = v.shadows == 0 || v.shadows == std::min(v.lamps, metamer::kMostShadows);
     return few && whole && shadows && v.output == metamer::OutputStage();
 }
