@@ -13,8 +13,6 @@ namespace metamer {
 
 namespace {
 
-constexpr int kSingleBits = 23, kHalfBits = 10; // of IEEE 754 binary32 and binary16
-
 struct Options {
     ExhibitArguments exhibit;
     std::string precision;

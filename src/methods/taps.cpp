@@ -106,6 +106,13 @@ Taps choose_taps(std::span<const ReferenceLamp* const> lamps, std::span<const st
     return out;
 }
 
+Taps of_lamps(const Taps& taps, std::span<const std::size_t> lamps) {
+    Taps out{taps.wavelength_nm, {}};
+    for (const std::size_t l : lamps)
+        out.weight.push_back(taps.weight[l]);
+    return out;
+}
+
 Xyz taps_xyz(const Taps& taps, std::size_t lamp, std::span<const double> light) {
     Xyz sum;
     for (std::size_t j = 0; j < taps.wavelength_nm.size(); ++j) {

@@ -43,6 +43,9 @@ Taps choose_taps(std::span<const ReferenceLamp* const> lamps, std::span<const st
 /// (ColumnWeights::error).
 inline constexpr double kWorthNegative = 0.01;
 
+/// The taps as some of their lamps have them: those of these indices, in that order.
+Taps of_lamps(const Taps& taps, std::span<const std::size_t> lamps);
+
 /// The sum itself, in double: XYZ of `light` (on kReferenceGrid) under a lamp by its index.
 Xyz taps_xyz(const Taps& taps, std::size_t lamp, std::span<const double> light);
 

@@ -58,13 +58,6 @@ Taps taps_of(const Task& task, int count) {
     return taps_for(pixel, own, count);
 }
 
-Taps of_lamps(const Taps& taps, const std::vector<std::size_t>& lamps) {
-    Taps out{taps.wavelength_nm, {}};
-    for (const std::size_t l : lamps)
-        out.weight.push_back(taps.weight[l]);
-    return out;
-}
-
 /// Fills in delta_e_bound and worst; stops early above `enough`.
 void find_bound(const Task& task, ObjectPlan& plan, double enough = 1e9) {
     Sight sight{&task.spectra.seen(), &task.spectra.exact(), task.view.output_of()};
@@ -73,9 +66,7 @@ void find_bound(const Task& task, ObjectPlan& plan, double enough = 1e9) {
         const NamedPixel& pixel = task.pixels[i];
         const Taps taps = plan.method == Method::reduced ? of_lamps(plan.taps, pixel.lamps) : Taps();
         sight.taps = &taps;
-        const Xyz shown = task.fragment_bits < kFloatBits
-                              ? shade_xyz<Float16>(plan.method, pixel.pixel, sight)
-                              : shade_xyz<float>(plan.method, pixel.pixel, sight);
+        const Xyz shown = shown_xyz(plan.method, pixel.pixel, sight, task.fragment_bits);
         const double difference = delta_e_2000(shown, task.exact[i]);
         // What is not a number at all is the worst that can be.
         if (!(difference <= plan.delta_e_bound)) {
@@ -220,6 +211,11 @@ HalfPlan plan_half(const Exhibit& exhibit, HalfView view, const ExhibitSpectra& 
 }
 
 } // namespace
+
+Xyz shown_xyz(Method method, const Pixel& pixel, const Sight& sight, int fragment_bits) {
+    return fragment_bits < kFloatBits ? shade_xyz<Float16>(method, pixel, sight)
+                                      : shade_xyz<float>(method, pixel, sight);
+}
 
 Plan plan_exhibit(const Exhibit& exhibit, const ExhibitSpectra& spectra, int fragment_bits) {
     Plan plan{exhibit.accuracy.tolerance, fragment_bits, {}};

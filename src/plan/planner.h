@@ -8,6 +8,15 @@
 
 namespace metamer {
 
+/// Mantissa bits of IEEE 754 binary32 and binary16.
+inline constexpr int kSingleBits = 23, kHalfBits = 10;
+
+/// Fragment shaders with fewer mantissa bits than this count as half precision.
+inline constexpr int kFloatBits = 16;
+
+/// shade_xyz() in the precision that stands for fragment shaders of so many bits: Float16 or float.
+Xyz shown_xyz(Method method, const Pixel& pixel, const Sight& sight, int fragment_bits);
+
 /// How one object is drawn in one half.
 struct ObjectPlan {
     std::string object;
@@ -27,17 +36,14 @@ struct HalfPlan {
 
 struct Plan {
     double tolerance = 0.5;
-    int fragment_bits = 23; ///< what the shaders compute with
+    int fragment_bits = kSingleBits; ///< what the shaders compute with
     std::vector<HalfPlan> halves;
 };
-
-/// Fragment shaders with fewer mantissa bits than this count as half precision.
-inline constexpr int kFloatBits = 16;
 
 /// Plans every object of every half. `fragment_bits`: as measured by gles/precision_probe.h. Where `auto` was
 /// asked for and no method keeps the tolerance: bad_input, naming the object, the nearest method, its error
 /// and its worst pixel. A method that was asked for is taken whatever its error, unless it cannot draw the
 /// object (folded through a medium of varying thickness): bad_input.
-Plan plan_exhibit(const Exhibit& exhibit, const ExhibitSpectra& spectra, int fragment_bits = 23);
+Plan plan_exhibit(const Exhibit& exhibit, const ExhibitSpectra& spectra, int fragment_bits = kSingleBits);
 
 } // namespace metamer

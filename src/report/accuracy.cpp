@@ -14,8 +14,6 @@ namespace metamer {
 
 namespace {
 
-constexpr int kSingleBits = 23, kHalfBits = 10; // of IEEE 754 binary32 and binary16
-
 Emission unrounded(const Lamp& lamp, Quantization quantization) {
     if (quantization == Quantization::thesis)
         return sample_lamp(lamp.spectrum).emission;
@@ -31,13 +29,6 @@ Reflectance unrounded(const Material& material, Quantization quantization) {
     if (quantization == Quantization::thesis)
         return sample_material(material.spectrum);
     return {fit_material(material.spectrum).best};
-}
-
-Taps of_lamps(const Taps& taps, const std::vector<std::size_t>& lamps) {
-    Taps out{taps.wavelength_nm, {}};
-    for (const std::size_t l : lamps)
-        out.weight.push_back(taps.weight[l]);
-    return out;
 }
 
 /// What tells a pixel from others of the exhibit.
@@ -143,10 +134,8 @@ std::vector<PairDifference> AccuracyProbe::differences(const Way& way) const {
             const Pixel pixel = unrounded_rows ? known.with_unrounded_rows(named.pixel) : named.pixel;
             const Taps taps = object.method == Method::reduced ? of_lamps(object.taps, named.lamps) : Taps{};
             sight.taps = &taps;
-            const Xyz shown = way.precision == Precision::fp16
-                                  ? shade_xyz<Float16>(object.method, pixel, sight)
-                                  : shade_xyz<float>(object.method, pixel, sight);
-            const double difference = delta_e_2000(shown, exact_[o][p]);
+            const double difference =
+                delta_e_2000(shown_xyz(object.method, pixel, sight, planned.fragment_bits), exact_[o][p]);
             const std::string& lamp = known.view.lamps[named.lamps[0]].name;
             out.push_back({std::isfinite(difference) ? difference : kNotANumber, lamp,
                            named.what.substr(lamp.size() + std::string(" on ").size())});

@@ -72,6 +72,17 @@ TEST(Taps, FindTwoLampsLinesTogether) {
                1e-15);
 }
 
+TEST(Taps, OfSomeLampsAreTheirsInTheirOrder) {
+    const Lamps lamps({lines({{450, 1}, {600, 1}}), lines({{520, 1}, {600, 2}}), lines({{650, 1}})});
+    const Taps all = choose_taps(lamps.view, {}, 4);
+    const Taps some = of_lamps(all, std::vector<std::size_t>{2, 0});
+    EXPECT_EQ(some.wavelength_nm, all.wavelength_nm);
+    ASSERT_EQ(some.weight.size(), 2u);
+    const Spectrum red = spectrum_of("cc-red");
+    expect_xyz(taps_xyz(some, 0, red), reference_xyz(lamps.lamp[2], red), 1e-15);
+    expect_xyz(taps_xyz(some, 1, red), reference_xyz(lamps.lamp[0], red), 1e-15);
+}
+
 TEST(Taps, IncludeTheStrongLinesOfDischarges) {
     const auto near = [](const Taps& taps, double nm) {
         return std::any_of(taps.wavelength_nm.begin(), taps.wavelength_nm.end(),

@@ -44,9 +44,7 @@ protected:
         Sight sight{&planned.spectra.seen(), &planned.spectra.exact(),
                     planned.plan.halves[0].view.output_of()};
         sight.taps = &plan.taps;
-        const Xyz shown = planned.plan.fragment_bits < kFloatBits
-                              ? shade_xyz<Float16>(plan.method, pixel, sight)
-                              : shade_xyz<float>(plan.method, pixel, sight);
+        const Xyz shown = shown_xyz(plan.method, pixel, sight, planned.plan.fragment_bits);
         return delta_e_2000(shown, exact_xyz(pixel, planned.spectra.exact()));
     }
 
