@@ -14,12 +14,12 @@
 #include "color/matrix3.h"
 #include "color/transfer.h"
 #include "color/working_space.h"
+#include "exhibit/kiosk_setting.h"
+#include "exhibit/lamp_setting.h"
 #include "image/png.h"
 #include "methods/method.h"
 
 namespace metamer {
-
-using Vec3 = std::array<double, 3>;
 
 inline constexpr int kMostLamps = 8;   ///< lamps a frame may have
 inline constexpr int kMostShadows = 4; ///< of them may cast shadows (varyings, DESIGN.md section 5)
@@ -46,30 +46,10 @@ struct Accuracy {
     int taps = 8;           ///< wavelengths where a method `reduced` was asked for; the planner finds its own
 };
 
-/// I(d) = 1 / (constant + linear d + quadratic d^2), d in scene units from the lamp. Only point lamps have
-/// one.
-struct Falloff {
-    double constant = 1, linear = 0, quadratic = 0;
-};
-
-/// [lamp.N]
-struct LampSetting {
-    Lamp lamp;                   ///< its spectrum; one of the atlas file is known by its row only
-    bool full_resolution = true; ///< false: found in the atlas file
-    int key = 0;                 ///< its row in Exhibit::atlas
-    double strength = 1;         ///< I_source
-    /// A point lamp at x, y, z in scene units (x to the right, y up, z to the visitor), or parallel light
-    /// that travels along x, y, z (length 1); neither: where the scene has its lamp of that number.
-    std::optional<Vec3> position;
-    std::optional<Vec3> direction;
-    Falloff falloff;
-    bool shadow = false;
-};
-
 /// A material in use.
 struct MaterialSetting {
-    Material material;           ///< as above
-    bool full_resolution = true; ///< as above
+    Material material;           ///< its spectrum; one of the atlas file is known by its row only
+    bool full_resolution = true; ///< as a lamp's
     int key = 0;                 ///< its row in Exhibit::atlas
 };
 
@@ -118,6 +98,7 @@ struct Exhibit {
     std::vector<ObjectSetting> objects;
     std::vector<LampSetting> lamps;
     std::optional<Compare> compare;
+    Kiosk kiosk;
     Atlas atlas; ///< every lamp and material in use; the file's own rows where [atlas] file names one
     std::map<int, Material> materials; ///< by key: those whose spectrum is at hand at full resolution
 };

@@ -1,0 +1,89 @@
+// A visit: what touches and time make of the state. Pure: time is passed in, nothing is drawn here.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "visit/visit_state.h"
+
+namespace metamer {
+
+/// What a widget or a key asks for.
+struct ChooseLamp {
+    std::size_t lamp;
+    bool right = false; ///< mode booth: for which side
+};
+struct SetStrength {
+    double strength;
+};
+struct SetSplit {
+    double split;
+};
+struct OpenObject {
+    std::size_t object;
+};
+struct ClosePanel {};
+struct ChooseLanguage {
+    std::string language;
+};
+struct ToggleExpert {};
+struct ChooseMode {
+    Mode mode;
+};
+using Action = std::variant<ChooseLamp, SetStrength, SetSplit, OpenObject, ClosePanel, ChooseLanguage,
+                            ToggleExpert, ChooseMode>;
+
+/// Who has the exhibit.
+enum class Phase {
+    visitor, ///< somebody touched it less than idle_s ago
+    tour,    ///< nobody did: [tour.N] runs, or, without one, the start state stands
+    night,   ///< the screen is dark
+};
+
+/// All times in seconds of one steady clock.
+class Visit {
+public:
+    /// The exhibit must outlive it. Starts with the tour's turn idle_s from now.
+    Visit(const Exhibit& exhibit, double now_s);
+
+    /// A touch, a click or a key, whatever it hits. Wakes the night for idle_s; ends the tour: the state
+    /// returns to the start. Returns true where that is all it was for: a touch that wakes acts on nothing
+    /// else.
+    bool touch(double now_s);
+
+    /// What the touch meant. Numbers are clamped to their ranges; what is not there (a lamp, an object, a
+    /// language) is ignored.
+    void act(const Action& action);
+
+    /// Moves on to this time. `minute_of_day`: local time, 0 .. 1439, for the night.
+    void tick(double now_s, int minute_of_day);
+
+    /// When tick() has something to do next: the earliest of idle, the tour's next step, the next change of
+    /// day and night (a minute from now at most, where there is a night).
+    double next_s() const;
+
+    const VisitState& state() const { return state_; }
+    Phase phase() const { return phase_; }
+    /// The tour's caption in the state's language; empty outside the tour.
+    std::string caption() const;
+    /// The materials that the tour shows, as [scene] materials; none: the exhibit's own.
+    std::optional<std::string> materials() const { return materials_; }
+    /// The tour's step, for whom it matters whether it is another; -1 outside the tour.
+    int step() const { return step_; }
+
+private:
+    void start_tour(double now_s);
+    void enter_step(std::size_t step, double now_s);
+
+    const Exhibit& exhibit_;
+    VisitState state_;
+    Phase phase_ = Phase::visitor;
+    double touched_s_, step_ends_s_ = 0, now_s_;
+    int step_ = -1;
+    bool night_ = false;
+    std::optional<std::string> materials_;
+};
+
+} // namespace metamer

@@ -1,0 +1,45 @@
+// What a visitor has chosen: plain data. The start state is what an exhibit returns to.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "exhibit/exhibit.h"
+
+namespace metamer {
+
+/// What the scene compares.
+enum class Mode {
+    methods, ///< one lamp, two ways of computing: [compare]
+    booth,   ///< one way of computing, two lamps: a light booth with a metameric pair
+};
+
+struct VisitState {
+    Mode mode = Mode::methods;
+    /// Of Kiosk::lamps, the spectrum of every lamp; none: each lamp's own, as the INI says.
+    std::optional<std::size_t> lamp;
+    double strength = 1; ///< factor on every lamp's own strength, kLeastStrength .. kMostStrength
+    double split = 0.5;  ///< 0 .. 1
+    std::optional<std::size_t> object; ///< whose panel is open
+    std::string language = "en";
+    bool expert = false;
+    /// Mode booth: the lamps of both sides, of Kiosk::lamps.
+    std::size_t booth_left = 0, booth_right = 0;
+
+    bool operator==(const VisitState&) const = default;
+};
+
+inline constexpr double kLeastStrength = 0.05, kMostStrength = 20;
+
+/// As the exhibit starts.
+VisitState start_state(const Exhibit& exhibit);
+
+/// The slider's place 0 .. 1 of a strength and back; logarithmic, 1 in the middle.
+double slider_of_strength(double strength);
+double strength_of_slider(double slider);
+
+/// The exhibit as it is to be drawn in this state, mode methods: lamps' spectra and strengths changed in
+/// `drawn`, which started as a copy of `exhibit`. Only what FrameRenderer::update() takes over is touched.
+void apply(const VisitState& state, const Exhibit& exhibit, Exhibit& drawn);
+
+} // namespace metamer

@@ -1,0 +1,65 @@
+// Where the kiosk plays: a surface with an OpenGL ES 2 context, events, a clock.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "window/events.h"
+
+namespace metamer {
+
+class Stage {
+public:
+    virtual ~Stage() = default;
+
+    /// The events since the last call; waits for the first of them, `most_s` at most (0: does not wait,
+    /// negative: forever). While there is no display it goes on waiting for one.
+    virtual std::vector<Event> wait(double most_s) = 0;
+
+    /// Wakes wait() from another thread with this event (quit, reload, files changed).
+    virtual void post(const Event& event) = 0;
+
+    /// The framebuffer's own size: what glViewport takes, before rotation.
+    virtual int surface_width_px() const = 0;
+    virtual int surface_height_px() const = 0;
+
+    /// How the picture is turned on the surface, clockwise: 0, 90, 180, 270.
+    virtual int rotation_deg() const = 0;
+
+    /// Pixels per millimetre of the screen; 0 where nobody knows.
+    virtual double px_per_mm() const = 0;
+
+    /// Binds the framebuffer that show() shows, its viewport all of it.
+    virtual void bind() = 0;
+
+    /// Shows what was drawn there; waits for vsync where the display gives one.
+    virtual void show() = 0;
+
+    /// Whether the context was reset since it was made (GL_EXT_robustness, GL_KHR_robustness).
+    virtual bool context_lost() = 0;
+
+    /// Makes window and context anew: after a loss. Every GL object made before is gone and must have been
+    /// destroyed or abandoned by its owner already. Throws no_gl.
+    virtual void rebuild() = 0;
+
+    /// Seconds of a steady clock.
+    virtual double now_s() const = 0;
+
+    /// `KMSDRM`, `wayland`, `x11`, `surfaceless`: for the log.
+    virtual std::string driver() const = 0;
+};
+
+struct WindowOptions {
+    int width_px = 0, height_px = 0; ///< of the window; 0: full screen
+    int rotation_deg = 0;            ///< clockwise
+    double diagonal_in = 0;          ///< of the screen; 0: as the display says
+    bool wait_for_display = false;   ///< where there is no display: wait for one instead of throwing
+    std::string title;
+};
+
+/// By SDL2: KMSDRM, Wayland, X11, whatever SDL finds (SDL_VIDEODRIVER chooses). Throws no_gl: `cannot open a
+/// window: ...` with what was tried.
+std::unique_ptr<Stage> open_window(const WindowOptions& options);
+
+} // namespace metamer

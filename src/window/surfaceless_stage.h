@@ -1,0 +1,55 @@
+// A stage without any screen: for tests and soak runs. Time and events are scripted.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <optional>
+
+#include "gles/framebuffer.h"
+#include "gles/surfaceless.h"
+#include "window/stage.h"
+
+namespace metamer {
+
+/// Its clock goes on only by
+/// advance() and by wait(), which returns at once and lets its time pass.
+class SurfacelessStage : public Stage {
+public:
+    SurfacelessStage(int width_px, int height_px, int rotation_deg = 0, double px_per_mm = 4);
+
+    std::vector<Event> wait(double most_s) override;
+    void post(const Event& event) override;
+    int surface_width_px() const override { return width_px_; }
+    int surface_height_px() const override { return height_px_; }
+    int rotation_deg() const override { return rotation_deg_; }
+    double px_per_mm() const override { return px_per_mm_; }
+    void bind() override;
+    void show() override;
+    bool context_lost() override { return lost_; }
+    void rebuild() override;
+    double now_s() const override { return now_s_; }
+    std::string driver() const override { return "surfaceless"; }
+
+    /// Called by wait() when no event is queued: posts what comes next, or nothing to let the time pass.
+    void on_idle(std::function<void()> script) { script_ = std::move(script); }
+    void advance(double seconds) { now_s_ += seconds; }
+    /// From the next call on, context_lost() says so until rebuild().
+    void lose_context() { lost_ = true; }
+    void resize(int width_px, int height_px);
+
+    long frames_shown() const { return frames_; }
+    /// The last frame as it stands on the surface, rows from the top, RGBA.
+    std::vector<std::uint8_t> read_rgba() const;
+
+private:
+    int width_px_, height_px_, rotation_deg_;
+    double px_per_mm_, now_s_ = 0;
+    bool lost_ = false;
+    long frames_ = 0;
+    std::deque<Event> events_;
+    std::function<void()> script_;
+    std::optional<Surfaceless> context_;
+    std::optional<Framebuffer> target_;
+};
+
+} // namespace metamer
