@@ -1,9 +1,9 @@
 #include "commands/half_table.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "base/error.h"
+#include "base/printed.h"
 #include "color/difference.h"
 #include "methods/shade.h"
 #include "plan/planner.h"
@@ -68,12 +68,9 @@ std::vector<HalfDifference> half_differences(const Exhibit& exhibit) {
 std::string half_table(const Exhibit& exhibit) {
     std::string out = "CIEDE2000 between the two halves as shown, all materials of " + exhibit.place +
                       ", strength 1\n" + "lamp          mean   greatest  material\n";
-    for (const HalfDifference& row : half_differences(exhibit)) {
-        char line[160];
-        std::snprintf(line, sizeof line, "%-12s %5.2f   %8.2f  %s\n", row.lamp.c_str(), row.mean,
-                      row.greatest, row.worst_material.c_str());
-        out += line;
-    }
+    for (const HalfDifference& row : half_differences(exhibit))
+        out += printed("%-12s %5.2f   %8.2f  %s\n", row.lamp.c_str(), row.mean, row.greatest,
+                       row.worst_material.c_str());
     return out;
 }
 

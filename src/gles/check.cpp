@@ -1,8 +1,7 @@
 #include "gles/check.h"
 
-#include <cstdio>
-
 #include "base/error.h"
+#include "base/printed.h"
 
 namespace metamer {
 
@@ -11,9 +10,7 @@ namespace {
 constexpr int kMostFlags = 16;
 
 std::string unknown(const char* kind, GLenum value) {
-    char digits[16];
-    std::snprintf(digits, sizeof digits, "0x%04x", value);
-    return std::string(kind) + " " + digits;
+    return printed("%s 0x%04x", kind, value);
 }
 } // namespace
 

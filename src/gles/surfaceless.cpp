@@ -1,7 +1,6 @@
 #include "gles/surfaceless.h"
 
 #include <EGL/eglext.h>
-#include <cstdio>
 #include <map>
 #include <mutex>
 #include <string>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/printed.h"
 #include "gles/extensions.h"
 #include "gles/keep_mapped.h"
 
@@ -36,9 +36,7 @@ std::string egl_error_name(EGLint error) {
     };
     if (const auto found = names.find(error); found != names.end())
         return found->second;
-    char text[32];
-    std::snprintf(text, sizeof text, "EGL error 0x%04x", static_cast<unsigned>(error));
-    return text;
+    return printed("EGL error 0x%04x", static_cast<unsigned>(error));
 }
 
 /// Thrown inside this file: what went wrong with one display.

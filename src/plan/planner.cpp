@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "base/error.h"
+#include "base/printed.h"
 #include "color/difference.h"
 #include "exhibit/scene_kinds.h"
 #include "plan/cost.h"
@@ -31,9 +31,7 @@ struct Task {
 };
 
 std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, value < 0.01 ? "%.1g" : "%.2f", value);
-    return text;
+    return printed(value < 0.01 ? "%.1g" : "%.2f", value);
 }
 
 Pixel thickest(const Task& task) {

@@ -1,8 +1,8 @@
 #include "report/growth_rows.h"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "base/printed.h"
 #include "report/context_note.h"
 #include "report/field_csv.h"
 
@@ -20,22 +20,15 @@ Of& named(std::vector<Of>& list, std::string Of::*name, const std::string& value
     return list.back();
 }
 
-template <class... Values>
-std::string line(const char* format, Values... values) {
-    char text[256];
-    std::snprintf(text, sizeof text, format, values...);
-    return text;
-}
-
 std::string flatness(const CostPanel& panel) {
     for (const CostCurve& curve : panel.curves)
         if (curve.method == "planned") {
             const auto [least, most] = std::minmax_element(
                 curve.points.begin(), curve.points.end(),
                 [](const CostPoint& a, const CostPoint& b) { return a.cost_ratio < b.cost_ratio; });
-            return line("%s: planned costs %.3f .. %.3f, %.1f %% apart\n", panel.title.c_str(),
-                        least->cost_ratio, most->cost_ratio,
-                        100 * (most->cost_ratio / least->cost_ratio - 1));
+            return printed("%s: planned costs %.3f .. %.3f, %.1f %% apart\n", panel.title.c_str(),
+                           least->cost_ratio, most->cost_ratio,
+                           100 * (most->cost_ratio / least->cost_ratio - 1));
         }
     return "";
 }
@@ -71,16 +64,16 @@ std::vector<CostPanel> cost_panels(const Growth& growth) {
 std::string growth_table(const Growth& growth) {
     std::string out =
         context_note(growth.context) + "\n" +
-        line(
+        printed(
             "timed by %s, %d rounds; cost: to rgb-pow at the sweep's start; here: to rgb-pow at the same x\n",
             growth.context.timer.c_str(), growth.context.rounds);
     std::string panel;
     for (const GrowthRow& row : growth.rows) {
         if (row.panel != panel)
             out += "\n" + (panel = row.panel) + "\n" +
-                   line("%-12s %8s %8s %7s  %14s %7s\n", "method", "x", "ms", "cost", "quartiles", "here");
-        out += line("%-12s %8g %8.2f %7.3f  %6.3f..%6.3f %7.3f\n", row.method.c_str(), row.x, row.ms,
-                    row.cost_ratio, row.cost_ratio_q1, row.cost_ratio_q3, row.cost_ratio_here);
+                   printed("%-12s %8s %8s %7s  %14s %7s\n", "method", "x", "ms", "cost", "quartiles", "here");
+        out += printed("%-12s %8g %8.2f %7.3f  %6.3f..%6.3f %7.3f\n", row.method.c_str(), row.x, row.ms,
+                       row.cost_ratio, row.cost_ratio_q1, row.cost_ratio_q3, row.cost_ratio_here);
     }
     out += "\n";
     for (const CostPanel& each : cost_panels(growth))

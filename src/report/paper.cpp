@@ -1,7 +1,6 @@
 #include "report/paper.h"
 
-#include <cstdio>
-
+#include "base/printed.h"
 #include "report/field_csv.h"
 
 namespace metamer {
@@ -53,17 +52,13 @@ Picture paper_picture(const Paper& paper) {
 }
 
 std::string paper_table(const Paper& paper) {
-    char text[256];
-    std::string out = paper.context.assumption + "\n\n";
-    std::snprintf(text, sizeof text, "%-22s %-12s %8s %6s %6s %8s %6s %6s %8s\n", "GPU", "method", "straight",
-                  "loop", "rounds", "executed", "MHz", "/clock", "frames/s");
-    out += text;
-    for (const PaperRow& row : paper.rows) {
-        std::snprintf(text, sizeof text, "%-22s %-12s %8g %6g %6d %8g %6g %6g %8.1f\n", row.gpu.c_str(),
-                      row.method.c_str(), row.straight, row.loop, row.rounds, row.instructions(),
-                      row.clock_mhz, row.instructions_per_clock, frames_per_s(row));
-        out += text;
-    }
+    std::string out = paper.context.assumption + "\n\n" +
+                      printed("%-22s %-12s %8s %6s %6s %8s %6s %6s %8s\n", "GPU", "method", "straight",
+                              "loop", "rounds", "executed", "MHz", "/clock", "frames/s");
+    for (const PaperRow& row : paper.rows)
+        out += printed("%-22s %-12s %8g %6g %6d %8g %6g %6g %8.1f\n", row.gpu.c_str(), row.method.c_str(),
+                       row.straight, row.loop, row.rounds, row.instructions(), row.clock_mhz,
+                       row.instructions_per_clock, frames_per_s(row));
     return out;
 }
 

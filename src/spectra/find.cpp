@@ -1,7 +1,6 @@
-#include <cstdio>
-
 #include "base/error.h"
 #include "base/names.h"
+#include "base/printed.h"
 #include "color/resample.h"
 #include "spectra/formulas.h"
 #include "spectra/library.h"
@@ -14,11 +13,9 @@ namespace {
 
 // A share of 0 .. 1 in percent with two digits that say something.
 std::string percent(double share) {
-    char text[32];
     if (share < 0.0001)
         return "less than 0.01 %";
-    std::snprintf(text, sizeof text, share < 0.1 ? "%.2f %%" : "%.1f %%", 100 * share);
-    return text;
+    return printed(share < 0.1 ? "%.2f %%" : "%.1f %%", 100 * share);
 }
 
 // Refuses a lamp that lights nothing: its peak on the grid is what emissions are divided by.

@@ -1,11 +1,11 @@
 #include "spectra/formulas.h"
 
 #include <array>
-#include <cstdio>
 
 #include "base/error.h"
 #include "base/names.h"
 #include "base/numbers.h"
+#include "base/printed.h"
 #include "spectra/absorption.h"
 #include "spectra/blackbody.h"
 #include "spectra/daylight.h"
@@ -60,9 +60,7 @@ constexpr Operand kDensity{"density", "", 0, kDensest};
 
 // Without an exponent: 100000, where to_text prefers the shorter 1e+05.
 std::string plain(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.10g", value);
-    return text;
+    return printed("%.10g", value);
 }
 
 double number(const Formula& formula, const std::string& text, const Operand& wanted) {
