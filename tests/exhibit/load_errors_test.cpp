@@ -205,7 +205,7 @@ TEST(LoadErrors, ASpectrumFilesOwnLineIsKept) {
     write_file(folder / "lamp.csv", "wavelength_nm,tube\n380,1\n400,-1\n");
     write_file(folder / "a.ini", "[lamp.1]\nspectrum = lamp.csv\n");
     const std::string ini = (folder / "a.ini").string(), csv = (folder / "lamp.csv").string();
-    EXPECT_THAT(error_of([&] { load_exhibit(folder / "a.ini"); }),
+    EXPECT_THAT(error_of([&] { load_exhibit(folder / "a.ini", with_quick_rows()); }),
                 testing::StartsWith("cannot read " + ini + ":2: spectrum = lamp.csv: " + csv + ":3: "));
 }
 
@@ -217,7 +217,7 @@ TEST(LoadErrors, MapsHaveSidesOfPowersOfTwo) {
                      std::vector<std::uint8_t>(static_cast<std::size_t>(width * height) * 4, 255)};
         write_file(folder / "map.png", encode_png(png, false));
         write_file(folder / "a.ini", "[object.crayon-1]\nluminance_map = map.png\n");
-        return error_of([&] { load_exhibit(folder / "a.ini"); });
+        return error_of([&] { load_exhibit(folder / "a.ini", with_quick_rows()); });
     };
     EXPECT_EQ(message(2048, 1), "no error");
     EXPECT_EQ(message(1, 64), "no error");
@@ -229,7 +229,7 @@ TEST(LoadErrors, MapsHaveSidesOfPowersOfTwo) {
     EXPECT_EQ(message(4096, 1), place + "4096 x 1" + rule);
     write_file(folder / "map.png", "no picture");
     EXPECT_THAT(
-        error_of([&] { load_exhibit(folder / "a.ini"); }),
+        error_of([&] { load_exhibit(folder / "a.ini", with_quick_rows()); }),
         testing::StartsWith("cannot read " + (folder / "a.ini").string() + ":2: luminance_map = map.png: "));
 }
 
@@ -239,7 +239,7 @@ TEST(LoadErrors, KeyZeroIsTheObserversRow) {
     png.image = {1, 1, {0, 0, 0, 255}};
     write_file(folder / "map.png", encode_png(png, false));
     write_file(folder / "a.ini", "[object.crayon-1]\nkey_map = map.png\n");
-    EXPECT_EQ(error_of([&] { load_exhibit(folder / "a.ini"); }),
+    EXPECT_EQ(error_of([&] { load_exhibit(folder / "a.ini", with_quick_rows()); }),
               "cannot read " + (folder / "a.ini").string() +
                   ":2: key_map = map.png has key 0 at pixel 0, 0; no material has that key");
 }

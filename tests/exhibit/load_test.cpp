@@ -215,7 +215,7 @@ TEST(Load, PathsStartAtTheFileThatNamesThem) {
     std::filesystem::create_directories(folder / "deep");
     write_file(folder / "deep/lamp.csv", "wavelength_nm,tube\n380,1\n700,2\n");
     write_file(folder / "deep/a.ini", "[lamp.1]\nspectrum = lamp.csv\n");
-    EXPECT_EQ(load_exhibit(folder / "deep/a.ini").lamps.at(0).lamp.spectrum.continuum.value.back(), 2);
+    EXPECT_EQ(load_exhibit(folder / "deep/a.ini", with_quick_rows()).lamps.at(0).lamp.spectrum.continuum.value.back(), 2);
     const std::string here = (folder / "deep/lamp.csv").string();
     EXPECT_EQ(exhibit_of("", {"lamp.1.spectrum=" + here}).lamps.at(0).lamp.spectrum.continuum.value.back(),
               2);
@@ -226,7 +226,7 @@ TEST(Load, DoubtsAboutSpectraAreWarningsWithTheirPlace) {
     write_file(folder / "lamp.csv", "wavelength_nm,tube\n380,1\n900,1\n");
     write_file(folder / "a.ini", "[lamp.1]\nspectrum = lamp.csv\n");
     std::vector<std::string> warnings;
-    load_exhibit(folder / "a.ini", {}, &warnings);
+    load_exhibit(folder / "a.ini", with_quick_rows(), &warnings);
     ASSERT_EQ(warnings.size(), 1u);
     EXPECT_THAT(warnings[0], testing::StartsWith((folder / "a.ini").string() + ":2: "));
 }

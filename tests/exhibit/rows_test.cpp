@@ -39,7 +39,7 @@ TEST(Rows, KeyIIsTheIthMaterialOfTheList) {
 }
 
 TEST(Rows, AnAtlasThatIsBuiltHasTheQuantizationAskedFor) {
-    EXPECT_EQ(exhibit_of("").atlas.quantization, Quantization::weighted);
+    EXPECT_EQ(parse_exhibit("", "k.ini", ".").atlas.quantization, Quantization::weighted);
     const Exhibit exhibit = exhibit_of("[scene]\nmaterials = cc-black\n[atlas]\nquantization = thesis\n");
     EXPECT_EQ(exhibit.atlas.quantization, Quantization::thesis);
     EXPECT_EQ(exhibit.atlas.materials[1].scale, 1);
@@ -78,7 +78,7 @@ TEST(Rows, TwoFilesWithColumnsOfOneNameHaveTheirOwnRows) {
     std::filesystem::create_directories(folder / "b");
     write_file(folder / "b/a.csv", "wavelength_nm,paint\n400,0.5\n700,0.5\n");
     write_file(folder / "k.ini", "[scene]\nmaterials = a.csv, b/a.csv, a.csv\n");
-    const Exhibit exhibit = load_exhibit(folder / "k.ini");
+    const Exhibit exhibit = load_exhibit(folder / "k.ini", with_quick_rows());
     EXPECT_EQ(exhibit.objects.at(0).material.key, 1);
     EXPECT_EQ(exhibit.objects.at(1).material.key, 2);
     EXPECT_EQ(exhibit.objects.at(2).material.key, 1);
@@ -89,7 +89,7 @@ TEST(Rows, TwoFilesWithColumnsOfOneNameHaveTheirOwnRows) {
 class RowsOfAFile : public testing::Test {
 protected:
     RowsOfAFile() {
-        Atlas atlas = empty_atlas();
+        Atlas atlas = empty_atlas(Quantization::thesis);
         add_material(atlas, {"own", "", "test", {{{380, 780}, {0.5, 0.5}}}});
         add_material(atlas, {"cc-red", "", "test", {{{380, 780}, {1, 1}}}});
         add_lamp(atlas, {"F11", "", "test", {{{380, 780}, {3, 3}}, {}}});
