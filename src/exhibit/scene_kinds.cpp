@@ -25,24 +25,16 @@ constexpr SceneKindInfo kKinds[] = {
 std::vector<ObjectDefault> pieces(const std::string& word, std::span<const std::string> materials,
                                   double specular) {
     std::vector<ObjectDefault> objects;
-    for (const std::string& material : materials) {
-        ObjectDefault piece;
-        piece.name = word + "-" + std::to_string(objects.size() + 1);
-        piece.material = material;
-        piece.specular = specular;
-        objects.push_back(piece);
-    }
+    for (const std::string& material : materials)
+        objects.push_back({.name = word + "-" + std::to_string(objects.size() + 1),
+                           .material = material,
+                           .specular = specular});
     return objects;
 }
 
 std::vector<ObjectDefault> ramps(const std::string& near_end, const std::string& far_end) {
     const auto ramp = [&](const char* name, MethodChoice method) {
-        ObjectDefault object;
-        object.name = name;
-        object.material = near_end;
-        object.material_end = far_end;
-        object.method = method;
-        return object;
+        return ObjectDefault{.name = name, .material = near_end, .material_end = far_end, .method = method};
     };
     return {ramp("ramp-reflectance", std::nullopt), ramp("ramp-xyz", Method::tristimulus),
             ramp("ramp-rgb", Method::rgb)};
@@ -50,37 +42,21 @@ std::vector<ObjectDefault> ramps(const std::string& near_end, const std::string&
 
 /// Seen against a light box: a wedge of colored glass above, a liquid in a round vessel below.
 std::vector<ObjectDefault> media(const std::string& ground) {
-    const auto thing = [&](const char* name, const char* medium, double thickness) {
-        ObjectDefault object;
-        object.name = name;
-        object.material = ground;
-        object.medium = medium;
-        object.thickness = thickness;
-        return object;
-    };
-    return {thing("board", "", 0), thing("wedge", "glass-cobalt", 4),
-            thing("vessel", "liquid-allura-red", 2)};
+    return {{.name = "board", .material = ground},
+            {.name = "wedge", .material = ground, .medium = "glass-cobalt", .thickness = 4},
+            {.name = "vessel", .material = ground, .medium = "liquid-allura-red", .thickness = 2}};
 }
 
 /// A wall and a floor, each lit by the lamps and by the other.
 std::vector<ObjectDefault> corner(const std::string& wall, const std::string& floor) {
-    ObjectDefault planes[2];
-    planes[0].name = "wall";
-    planes[0].material = wall;
-    planes[1].name = "floor";
-    planes[1].material = floor;
-    return {planes[0], planes[1]};
+    return {{.name = "wall", .material = wall}, {.name = "floor", .material = floor}};
 }
 
 /// Warm and cool things side by side: no lamp flatters both.
 std::vector<ObjectDefault> still_life() {
     const auto thing = [](const char* name, const char* material, double specular, double shininess) {
-        ObjectDefault object;
-        object.name = name;
-        object.material = material;
-        object.specular = specular;
-        object.shininess = shininess;
-        return object;
+        return ObjectDefault{
+            .name = name, .material = material, .specular = specular, .shininess = shininess};
     };
     return {thing("table", "cc-dark-skin", 0.05, 16),     thing("wall", "cc-neutral-6.5", 0, 32),
             thing("ball", "crayon-white", 0.2, 60),       thing("orange", "crayon-orange", 0.1, 24),

@@ -32,12 +32,12 @@ const SceneKindInfo* find_scene_kind(std::string_view name);
 
 /// An object by default. Maps are never a default.
 struct ObjectDefault {
-    std::string name;
-    std::string material;     ///< as [scene] materials or the library names it
-    std::string material_end; ///< ramps: at the far end; else empty
-    std::string medium;       ///< glass or liquid; else empty
-    double thickness = 1;     ///< of the medium
-    std::optional<MethodChoice> method;
+    std::string name = {};
+    std::string material = {};     ///< as [scene] materials or the library names it
+    std::string material_end = {}; ///< ramps: at the far end; else empty
+    std::string medium = {};       ///< glass or liquid; else empty
+    double thickness = 1;          ///< of the medium
+    std::optional<MethodChoice> method = {};
     double specular = 0;
     double shininess = 32;
 };
