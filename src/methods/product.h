@@ -52,9 +52,4 @@ std::array<T, 3> product(std::span<const LitColor<T>> lamps, const ProductLayers
     return total;
 }
 
-template <Scalar T>
-std::array<T, 3> product(std::span<const LitColor<T>> lamps, const std::array<T, 3>& material) {
-    return product(lamps, ProductLayers<T>{material, {}, T(0), {}});
-}
-
 } // namespace metamer

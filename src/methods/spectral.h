@@ -80,10 +80,4 @@ BasicXyz<T> spectral(std::span<const LitEmission<T>> lamps, const SpectralLayers
     return total;
 }
 
-template <Scalar T>
-BasicXyz<T> spectral(std::span<const LitEmission<T>> lamps, const Reflectance& reflectance,
-                     const GridObserver& observer) {
-    return spectral(lamps, SpectralLayers<T>{&reflectance}, observer);
-}
-
 } // namespace metamer
