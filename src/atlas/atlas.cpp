@@ -31,12 +31,6 @@ void put(Atlas& atlas, int row, AtlasChannel channel, const AtlasRow& values) {
         atlas.rgba[atlas_byte(row, i, channel)] = values[i];
 }
 
-std::array<double, kIntervals> numbers(const AtlasRow& row, double scale) {
-    std::array<double, kIntervals> values;
-    std::transform(row.begin(), row.end(), values.begin(), [&](std::uint8_t v) { return v / 255.0 * scale; });
-    return values;
-}
-
 template <class Entry>
 int key_of_name(const std::array<Entry, kAtlasSize>& entries, std::string_view name) {
     for (int key = 1; key <= kAtlasRows; ++key) {
@@ -90,6 +84,18 @@ int row_for(const Atlas& atlas, const std::array<Entry, kAtlasSize>& entries, At
     return static_cast<int>(free - entries.begin());
 }
 
+template <class Entry>
+int add(Atlas& atlas, std::array<Entry, kAtlasSize>& entries, AtlasChannel channel, const std::string& what,
+        const Entry& entry, const AtlasRow& values) {
+    const int key = row_for(atlas, entries, channel, what, entry, values);
+    Entry& taken = entries[static_cast<std::size_t>(key)];
+    if (taken.name.empty()) {
+        taken = entry;
+        put(atlas, key, channel, values);
+    }
+    return key;
+}
+
 std::array<AtlasRow, 3> observer_rows(Quantization quantization) {
     if (quantization == Quantization::weighted)
         return observer_levels();
@@ -128,6 +134,12 @@ AtlasRow atlas_row(const Atlas& atlas, int row, AtlasChannel channel) {
     return values;
 }
 
+std::array<double, kIntervals> row_values(const AtlasRow& row, double scale) {
+    std::array<double, kIntervals> values;
+    std::transform(row.begin(), row.end(), values.begin(), [&](std::uint8_t v) { return v / 255.0 * scale; });
+    return values;
+}
+
 Atlas empty_atlas(Quantization quantization) {
     Atlas atlas;
     atlas.quantization = quantization;
@@ -146,13 +158,7 @@ int add_lamp(Atlas& atlas, const Lamp& lamp) {
     const LampLevels levels =
         atlas.quantization == Quantization::thesis ? thesis_levels(atlas, lamp) : weighted_levels(lamp);
     const AtlasLamp entry{lamp.name, lamp.source, levels.peak};
-    const int key = row_for(atlas, atlas.lamps, AtlasChannel::lamp, "lamp", entry, levels.level);
-    AtlasLamp& taken = atlas.lamps[static_cast<std::size_t>(key)];
-    if (taken.name.empty()) {
-        taken = entry;
-        put(atlas, key, AtlasChannel::lamp, levels.level);
-    }
-    return key;
+    return add(atlas, atlas.lamps, AtlasChannel::lamp, "lamp", entry, levels.level);
 }
 
 int add_material(Atlas& atlas, const Material& material) {
@@ -160,13 +166,7 @@ int add_material(Atlas& atlas, const Material& material) {
                                       ? MaterialLevels{quantized(sample_material(material.spectrum).value), 1}
                                       : material_levels(material.spectrum);
     const AtlasMaterial entry{material.name, material.source, levels.scale};
-    const int key = row_for(atlas, atlas.materials, AtlasChannel::material, "material", entry, levels.level);
-    AtlasMaterial& taken = atlas.materials[static_cast<std::size_t>(key)];
-    if (taken.name.empty()) {
-        taken = entry;
-        put(atlas, key, AtlasChannel::material, levels.level);
-    }
-    return key;
+    return add(atlas, atlas.materials, AtlasChannel::material, "material", entry, levels.level);
 }
 
 int find_lamp_key(const Atlas& atlas, std::string_view name_or_key) {
@@ -178,13 +178,13 @@ int find_material_key(const Atlas& atlas, std::string_view name_or_key) {
 }
 
 GridObserver observer(const Atlas& atlas) {
-    return {numbers(atlas_row(atlas, 0, AtlasChannel::lamp), 1),
-            numbers(atlas_row(atlas, 0, AtlasChannel::material), 1),
-            numbers(atlas_row(atlas, 0, AtlasChannel::excitation), 1)};
+    return {row_values(atlas_row(atlas, 0, AtlasChannel::lamp)),
+            row_values(atlas_row(atlas, 0, AtlasChannel::material)),
+            row_values(atlas_row(atlas, 0, AtlasChannel::excitation))};
 }
 
 Emission emission(const Atlas& atlas, int key) {
-    return {numbers(atlas_row(atlas, key, AtlasChannel::lamp), 1)};
+    return {row_values(atlas_row(atlas, key, AtlasChannel::lamp))};
 }
 
 GridObserver exact_observer(const Atlas& atlas) {
@@ -192,8 +192,8 @@ GridObserver exact_observer(const Atlas& atlas) {
 }
 
 Reflectance reflectance(const Atlas& atlas, int key) {
-    return {numbers(atlas_row(atlas, key, AtlasChannel::material),
-                    atlas.materials[static_cast<std::size_t>(key)].scale)};
+    return {row_values(atlas_row(atlas, key, AtlasChannel::material),
+                       atlas.materials[static_cast<std::size_t>(key)].scale)};
 }
 
 } // namespace metamer

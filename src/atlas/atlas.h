@@ -53,6 +53,9 @@ constexpr std::size_t atlas_byte(int row, std::size_t interval, AtlasChannel cha
 using AtlasRow = std::array<std::uint8_t, kIntervals>;
 AtlasRow atlas_row(const Atlas& atlas, int row, AtlasChannel channel);
 
+/// What the levels of a row stand for: 0 .. 255 as 0 .. `scale`.
+std::array<double, kIntervals> row_values(const AtlasRow& row, double scale = 1);
+
 /// An atlas of row 0 only.
 Atlas empty_atlas(Quantization quantization = Quantization::weighted);
 

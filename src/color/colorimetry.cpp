@@ -30,8 +30,12 @@ Xyz reference_xyz(const LampSpectrum& lamp, const MaterialSpectrum& material) {
     return reference_xyz(reference_lamp(lamp), resample(material, kReferenceGrid));
 }
 
+Xyz reference_white(const ReferenceLamp& lamp) {
+    return reference_xyz(lamp, std::vector<double>(kReferenceGrid.count, 1.0));
+}
+
 Xyz reference_white(const LampSpectrum& lamp) {
-    return reference_xyz(reference_lamp(lamp), std::vector<double>(kReferenceGrid.count, 1.0));
+    return reference_white(reference_lamp(lamp));
 }
 
 Chromaticity chromaticity(const Xyz& c) {

@@ -24,6 +24,7 @@ Xyz reference_xyz(const ReferenceLamp& lamp, std::span<const double> reflectance
 Xyz reference_xyz(const LampSpectrum& lamp, const MaterialSpectrum& material);
 
 /// XYZ of the lamp itself, Y = 1: the perfect reflector under it.
+Xyz reference_white(const ReferenceLamp& lamp);
 Xyz reference_white(const LampSpectrum& lamp);
 
 /// x, y of X, Y, Z; (0, 0) for black.

@@ -19,4 +19,13 @@ double value_at_held(const Curve& curve, double wavelength_nm) {
     return v[i - 1] + t * (v[i] - v[i - 1]);
 }
 
+Curve curve_of(const std::array<double, kIntervals>& values, double scale) {
+    Curve curve;
+    for (std::size_t i = 0; i < kIntervals; ++i) {
+        curve.wavelength_nm.push_back(kThesisGrid.wavelength_nm(i));
+        curve.value.push_back(values[i] * scale);
+    }
+    return curve;
+}
+
 } // namespace metamer

@@ -18,6 +18,9 @@ struct Curve {
 /// A curve's value by linear interpolation, the nearest end's value beyond its ends.
 double value_at_held(const Curve& curve, double wavelength_nm);
 
+/// The curve through these values times `scale` on kThesisGrid.
+Curve curve_of(const std::array<double, kIntervals>& values, double scale = 1);
+
 /// All of `power` at one wavelength; power is in the units of the continuum times nm.
 struct EmissionLine {
     double wavelength_nm;

@@ -11,22 +11,13 @@ namespace metamer {
 
 namespace {
 
-Curve on_grid(const std::array<double, kIntervals>& values, double scale) {
-    Curve curve;
-    for (std::size_t i = 0; i < kIntervals; ++i) {
-        curve.wavelength_nm.push_back(kThesisGrid.wavelength_nm(i));
-        curve.value.push_back(values[i] * scale);
-    }
-    return curve;
-}
-
 LampSetting lamp_of_row(const Atlas& atlas, int key, const std::string& place) {
     const AtlasLamp& row = atlas.lamps[static_cast<std::size_t>(key)];
     LampSetting found;
     found.lamp = {row.name,
                   "row " + std::to_string(key) + " of " + place,
                   row.source,
-                  {on_grid(emission(atlas, key).value, row.peak), {}}};
+                  {curve_of(emission(atlas, key).value, row.peak), {}}};
     found.full_resolution = false;
     found.key = key;
     return found;
@@ -37,7 +28,7 @@ MaterialSetting material_of_row(const Atlas& atlas, int key, const std::string& 
     return {{row.name,
              "row " + std::to_string(key) + " of " + place,
              row.source,
-             {on_grid(reflectance(atlas, key).value, 1)}},
+             {curve_of(reflectance(atlas, key).value)}},
             false,
             key};
 }

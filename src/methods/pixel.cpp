@@ -55,19 +55,11 @@ std::vector<double> full_values(const Layer& layer) {
 }
 
 ReferenceLamp reference_lamp(const Emission& row) {
-    Curve curve;
-    for (std::size_t i = 0; i < kIntervals; ++i) {
-        curve.wavelength_nm.push_back(kThesisGrid.wavelength_nm(i));
-        curve.value.push_back(row.value[i]);
-    }
-    return reference_lamp(LampSpectrum{curve, {}});
+    return reference_lamp(LampSpectrum{curve_of(row.value), {}});
 }
 
 Xyz lamp_white(const PixelLamp& lamp, const GridObserver& observer) {
-    if (!lamp.full)
-        return lamp_xyz(*lamp.row, observer);
-    const std::vector<double> white(kReferenceGrid.count, 1.0);
-    return reference_xyz(*lamp.full, white);
+    return lamp.full ? reference_white(*lamp.full) : lamp_xyz(*lamp.row, observer);
 }
 
 bool Pixel::at_full_resolution() const {

@@ -5,7 +5,6 @@
 #include "report/number_text.h"
 #include "report/stability_groups.h"
 #include "report/stability_kit.h"
-#include "spectra/library.h"
 
 namespace metamer {
 
@@ -79,7 +78,7 @@ Experiment summation_order() {
     const GridObserver& observer = *sight().seen;
     std::vector<LampForms> lamps;
     for (const char* name : {"A2800", "D65", "F2", "F11", "white-LED", "krypton"})
-        lamps.push_back(lamp_forms(find_lamp(name).spectrum));
+        lamps.push_back(lamp_forms(name));
     for (std::size_t group = 1; group <= kIntervals; group *= 2) {
         ExperimentPoint& point = e.points.emplace_back(ExperimentPoint{static_cast<double>(group)});
         for (const LampForms& lamp : lamps)
@@ -115,7 +114,7 @@ Experiment key_precision() {
                  .swept = "key, as R of a map read by a GPU that computes in fp16",
                  .log_x = false,
                  .discrete = true};
-    const LampForms lamp = lamp_forms(find_lamp("D65").spectrum);
+    const LampForms lamp = lamp_forms("D65");
     for (int key = 1; key <= 255; ++key) {
         ExperimentPoint& point = e.points.emplace_back(ExperimentPoint{static_cast<double>(key)});
         const auto meant = static_cast<std::size_t>(key);
@@ -143,7 +142,7 @@ Experiment texel_precision() {
                  .swept = "texels along a side, read at their centers",
                  .unit = "px",
                  .discrete = true};
-    const LampForms lamp = lamp_forms(find_lamp("D65").spectrum);
+    const LampForms lamp = lamp_forms("D65");
     for (int size = 64; size <= 4096; size *= 2) {
         ExperimentPoint& point = e.points.emplace_back(ExperimentPoint{static_cast<double>(size)});
         for (std::size_t texel = 0; texel < static_cast<std::size_t>(size); ++texel) {

@@ -11,13 +11,6 @@ namespace metamer {
 
 namespace {
 
-template <std::size_t N>
-std::array<double, N> from_levels(const std::array<std::uint8_t, N>& levels, double scale) {
-    std::array<double, N> out;
-    std::transform(levels.begin(), levels.end(), out.begin(), [&](auto v) { return v / 255.0 * scale; });
-    return out;
-}
-
 struct Observers {
     GridObserver seen, exact;
 };
@@ -37,7 +30,11 @@ LampForms lamp_forms(const LampSpectrum& lamp, Quantization quantization) {
     ReferenceLamp full = reference_lamp(lamp);
     if (quantization == Quantization::thesis)
         return {{rounded(sample_lamp(lamp).emission.value)}, std::move(full)};
-    return {{from_levels(lamp_levels(lamp_power(lamp)).level, 1)}, std::move(full)};
+    return {{row_values(lamp_levels(lamp_power(lamp)).level)}, std::move(full)};
+}
+
+LampForms lamp_forms(const std::string& name) {
+    return lamp_forms(find_lamp(name).spectrum);
 }
 
 MaterialForms material_forms(const MaterialSpectrum& material, Quantization quantization) {
@@ -45,7 +42,12 @@ MaterialForms material_forms(const MaterialSpectrum& material, Quantization quan
     if (quantization == Quantization::thesis)
         return {{rounded(sample_material(material).value)}, std::move(full)};
     const MaterialLevels levels = material_levels(material);
-    return {{from_levels(levels.level, levels.scale)}, std::move(full)};
+    return {{row_values(levels.level, levels.scale)}, std::move(full)};
+}
+
+Taps lamp_taps(const LampForms& lamp, int count, std::span<const std::vector<double>> own) {
+    const ReferenceLamp* full = &lamp.full;
+    return choose_taps({&full, 1}, own, count);
 }
 
 std::array<double, kIntervals> rounded(std::array<double, kIntervals> values, int levels) {
@@ -91,13 +93,18 @@ Pixel pair(const LampForms& lamp, const MaterialForms& material) {
     return pixel;
 }
 
-Sight sight(Quantization quantization, const Taps* taps) {
+Sight sight(Quantization quantization) {
     const WorkingSpace& space = working_spaces()[0];
     const Observers& both = observers(quantization);
     Sight out{&both.seen, &both.exact, {}};
     out.output.rgb_from_xyz = rgb_from_xyz(space);
     out.output.white = &white_emission(space);
-    out.taps = taps;
+    return out;
+}
+
+Sight sight(const Taps& taps) {
+    Sight out = sight();
+    out.taps = &taps;
     return out;
 }
 

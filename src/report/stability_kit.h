@@ -31,8 +31,13 @@ struct MaterialForms {
 /// `weighted`: as add_lamp() and add_material() make rows; `thesis`: samples rounded one by one, whatever
 /// becomes of k'. The lamp must be seen.
 LampForms lamp_forms(const LampSpectrum& lamp, Quantization quantization = Quantization::weighted);
+/// Of a lamp of the library, weighted.
+LampForms lamp_forms(const std::string& name);
 MaterialForms material_forms(const MaterialSpectrum& material,
                              Quantization quantization = Quantization::weighted);
+
+/// The taps of one lamp, for light such as `own`, each on kReferenceGrid; empty: for any material.
+Taps lamp_taps(const LampForms& lamp, int count, std::span<const std::vector<double>> own = {});
 
 /// Values to the nearest of `levels` steps from 0 to 1, half up.
 std::array<double, kIntervals> rounded(std::array<double, kIntervals> values, int levels = 255);
@@ -49,7 +54,9 @@ std::span<const std::string> line_lamps();
 Pixel pair(const LampForms& lamp, const MaterialForms& material);
 
 /// Both observers of such an atlas; sRGB-D65, no adaptation.
-Sight sight(Quantization quantization = Quantization::weighted, const Taps* taps = nullptr);
+Sight sight(Quantization quantization = Quantization::weighted);
+/// Weighted, with taps for method `reduced`, which must outlive it.
+Sight sight(const Taps& taps);
 
 /// CIEDE2000 of a method's color in precision T against exact_xyz(). Components as_shown().
 template <Scalar T>

@@ -3,7 +3,6 @@
 #include "report/stability_groups.h"
 #include "report/stability_kit.h"
 #include "spectra/gaussian.h"
-#include "spectra/library.h"
 
 namespace metamer {
 
@@ -31,16 +30,14 @@ Emission nearest_sample(double wavelength_nm) {
 void measure_width(ExperimentPoint& point, const LampSpectrum& lamp) {
     const LampForms forms = lamp_forms(lamp);
     const LampForms points{point_samples(lamp), forms.full};
-    const ReferenceLamp* full = &forms.full;
-    const Taps taps = choose_taps({&full, 1}, {}, 8);
+    const Taps taps = lamp_taps(forms, 8);
     const auto with = [&](Method method) { return worst<float>(method, forms, patches(), sight()); };
     raise(point, "rgb", with(Method::rgb));
     raise(point, "tristimulus", with(Method::tristimulus));
     raise(point, "spectral", with(Method::spectral));
     raise(point, "spectral, point samples",
           worst<float>(Method::spectral, points, patches(Quantization::thesis), sight(Quantization::thesis)));
-    raise(point, "reduced",
-          worst<float>(Method::reduced, forms, patches(), sight(Quantization::weighted, &taps)));
+    raise(point, "reduced", worst<float>(Method::reduced, forms, patches(), sight(taps)));
     raise(point, "folded", with(Method::folded));
 }
 
@@ -120,21 +117,19 @@ Experiment tap_counts() {
                  .discrete = true};
     std::vector<LampForms> lamps;
     for (const std::string& name : line_lamps())
-        lamps.push_back(lamp_forms(find_lamp(name).spectrum));
+        lamps.push_back(lamp_forms(name));
     std::vector<std::vector<double>> own;
     for (const MaterialForms& patch : patches())
         own.push_back(patch.full);
     for (const int count : kTapCounts) {
         ExperimentPoint& point = e.points.emplace_back(ExperimentPoint{static_cast<double>(count)});
         for (const LampForms& lamp : lamps) {
-            const ReferenceLamp* full = &lamp.full;
             const auto measure = [&](const std::string& name, const Taps& taps) {
-                raise(point, name,
-                      worst<float>(Method::reduced, lamp, patches(), sight(Quantization::weighted, &taps)));
+                raise(point, name, worst<float>(Method::reduced, lamp, patches(), sight(taps)));
             };
             measure("spectral, N evenly spaced samples", even_taps(lamp.full, count));
-            measure("reduced, for any material", choose_taps({&full, 1}, {}, count));
-            measure("reduced", choose_taps({&full, 1}, own, count));
+            measure("reduced, for any material", lamp_taps(lamp, count));
+            measure("reduced", lamp_taps(lamp, count, own));
         }
     }
     add_failure(e, "spectral, N evenly spaced samples", Harder::down,

@@ -4,7 +4,6 @@
 #include "color/working_space.h"
 #include "report/stability_groups.h"
 #include "report/stability_kit.h"
-#include "spectra/library.h"
 
 namespace metamer {
 
@@ -93,7 +92,7 @@ Experiment strength() {
                  .unit = ""};
     std::vector<LampForms> lamps;
     for (const char* name : {"A2800", "D65", "gauss:450:20"})
-        lamps.push_back(lamp_forms(find_lamp(name).spectrum));
+        lamps.push_back(lamp_forms(name));
     for (const double strength : logarithmically(1e-4, 1e4, 33)) {
         ExperimentPoint& point = e.points.emplace_back(ExperimentPoint{strength});
         for (const LampForms& lamp : lamps)

@@ -30,9 +30,8 @@ struct LampWithTaps {
 std::vector<LampWithTaps> day_and_lines() {
     std::vector<LampWithTaps> out;
     for (const char* name : {"D65", "F11", "krypton"}) {
-        LampForms forms = lamp_forms(find_lamp(name).spectrum);
-        const ReferenceLamp* full = &forms.full;
-        Taps taps = choose_taps({&full, 1}, {}, 8);
+        LampForms forms = lamp_forms(name);
+        Taps taps = lamp_taps(forms, 8);
         out.push_back({std::move(forms), std::move(taps)});
     }
     return out;
@@ -47,8 +46,7 @@ void measure_bands(ExperimentPoint& point, const std::vector<LampWithTaps>& lamp
         raise(point, "tristimulus", with(Method::tristimulus));
         raise(point, "spectral", with(Method::spectral));
         raise(point, "spectral, thesis's rows", worst<float>(Method::spectral, lamp.forms, thesis, sight()));
-        raise(point, "reduced",
-              worst<float>(Method::reduced, lamp.forms, weighted, sight(Quantization::weighted, &lamp.taps)));
+        raise(point, "reduced", worst<float>(Method::reduced, lamp.forms, weighted, sight(lamp.taps)));
         raise(point, "folded", with(Method::folded));
     }
 }

@@ -94,7 +94,7 @@ Experiment matrix_condition() {
     Experiment e{.name = "Near-singular matrices",
                  .swept = "condition number (Frobenius) of sRGB as its primaries close in on a line",
                  .unit = ""};
-    const LampForms lamp = lamp_forms(find_lamp("D65").spectrum);
+    const LampForms lamp = lamp_forms("D65");
     for (const double distance : logarithmically(1, 1e-12, 49)) {
         const auto forward = squeezed(distance);
         const auto back = forward ? inverse(*forward) : std::nullopt;

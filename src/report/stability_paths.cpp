@@ -7,23 +7,13 @@ namespace metamer {
 
 namespace {
 
-struct Forms {
-    LampForms lamp;
-    MaterialForms material;
-};
-
 Layer layer(const MaterialForms& forms) {
     return {&forms.row, &forms.full};
 }
 
-Taps taps_of(const Pixel& pixel, int count) {
-    return taps_for(pixel, count);
-}
-
 void raise_all(ExperimentPoint& point, const Pixel& pixel, const Taps& taps, bool constant_too) {
     const auto raise_by = [&](Method method) {
-        raise(point, std::string(method_name(method)),
-              difference<float>(method, pixel, sight(Quantization::weighted, &taps)));
+        raise(point, std::string(method_name(method)), difference<float>(method, pixel, sight(taps)));
     };
     for (const Method method : {Method::rgb, Method::tristimulus, Method::spectral, Method::reduced})
         raise_by(method);
@@ -38,7 +28,7 @@ Experiment two_bounces() {
                  .swept = "share of the light that comes by way of the other wall",
                  .unit = "",
                  .log_x = false};
-    const LampForms sodium = lamp_forms(find_lamp("NIST-LPS").spectrum);
+    const LampForms sodium = lamp_forms("NIST-LPS");
     // Blue, green, red, yellow of the ColorChecker, each lit by each.
     const std::span<const MaterialForms> walls = std::span(patches()).subspan(12, 4);
     for (const double share : evenly(0, 1, 21)) {
@@ -48,7 +38,7 @@ Experiment two_bounces() {
                 Pixel pixel = pair(sodium, wall);
                 pixel.other = layer(other);
                 pixel.lamps.front().light = {1 - share, 0, share};
-                raise_all(point, pixel, taps_of(pixel, 8), true);
+                raise_all(point, pixel, taps_for(pixel, 8), true);
             }
     }
     for (const char* product : {"rgb", "tristimulus"})
@@ -71,16 +61,15 @@ Experiment thickness() {
                  .unit = "",
                  .log_x = false};
     constexpr double kDensestPixel = 6;
-    const MaterialForms white{{}, std::vector<double>(kReferenceGrid.count, 1.0)},
-        medium = material_forms(find_material("absorb:590:50:1").spectrum);
-    MaterialForms wall = white;
+    const MaterialForms medium = material_forms(find_material("absorb:590:50:1").spectrum);
+    MaterialForms wall{{}, std::vector<double>(kReferenceGrid.count, 1.0)};
     wall.row.value.fill(1);
     for (const char* name : {"D65", "F11"}) {
-        const LampForms lamp = lamp_forms(find_lamp(name).spectrum);
+        const LampForms lamp = lamp_forms(name);
         Pixel pixel = pair(lamp, wall);
         pixel.medium = layer(medium);
         pixel.thickness = kDensestPixel;
-        const Taps four = taps_of(pixel, 4), eight = taps_of(pixel, 8);
+        const Taps four = taps_for(pixel, 4), eight = taps_for(pixel, 8);
         std::size_t i = 0;
         for (const double density : evenly(0, kDensestPixel, 25)) {
             if (i == e.points.size())
@@ -88,11 +77,9 @@ Experiment thickness() {
             ExperimentPoint& point = e.points[i++];
             pixel.thickness = density;
             raise_all(point, pixel, eight, false);
-            raise(point, "reduced, 4 wavelengths",
-                  difference<float>(Method::reduced, pixel, sight(Quantization::weighted, &four)));
+            raise(point, "reduced, 4 wavelengths", difference<float>(Method::reduced, pixel, sight(four)));
             raise(point, "spectral in fp16", difference<Float16>(Method::spectral, pixel, sight()));
-            raise(point, "reduced in fp16",
-                  difference<Float16>(Method::reduced, pixel, sight(Quantization::weighted, &eight)));
+            raise(point, "reduced in fp16", difference<Float16>(Method::reduced, pixel, sight(eight)));
         }
     }
     for (const char* product : {"rgb", "tristimulus"})
@@ -107,8 +94,7 @@ Experiment thickness() {
     e.finding = finding(e, "tristimulus", "In a medium products fail from density", "Products hold") +
                 finding(e, "reduced", "; 8 wavelengths from", "; 8 chosen wavelengths hold");
     e.guard = "the planner tries every thickness of the scene and takes the fewest wavelengths that hold, or "
-              "refuses "
-              "by name; transmittances below 1/65536 count as that";
+              "refuses by name; transmittances below 1/65536 count as that";
     return e;
 }
 

@@ -88,7 +88,7 @@ Experiment dim_rows() {
     for (const double dimmer : {1., 2., 3., 4., 5., 7., 10., 14., 20., 28., 35., 50.}) {
         ExperimentPoint& point = e.points.emplace_back(ExperimentPoint{dimmer});
         for (const std::string& name : line_lamps()) {
-            const LampForms bright = lamp_forms(find_lamp(name).spectrum);
+            const LampForms bright = lamp_forms(name);
             LampForms dim = bright;
             divide(dim.row.value, dimmer);
             dim.row.value = rounded(dim.row.value);
@@ -152,7 +152,7 @@ Experiment row_filtering() {
                  .unit = "rows",
                  .log_x = false,
                  .discrete = true};
-    const LampForms lamp = lamp_forms(find_lamp("D65").spectrum);
+    const LampForms lamp = lamp_forms("D65");
     for (const double offset : evenly(0, 0.6, 61)) {
         ExperimentPoint& point = e.points.emplace_back(ExperimentPoint{offset});
         for (std::size_t m = 0; m + 1 < patches().size(); ++m) {

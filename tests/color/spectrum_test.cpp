@@ -21,5 +21,17 @@ TEST(Curve, HoldsItsEnds) {
     EXPECT_EQ(value_at_held({}, 450), 0);
 }
 
+TEST(Curve, OfValuesOnTheGridHasThemAtItsWavelengths) {
+    std::array<double, kIntervals> values{};
+    values.front() = 1;
+    values.back() = 3;
+    const Curve curve = curve_of(values, 0.5);
+    ASSERT_EQ(curve.value.size(), kIntervals);
+    EXPECT_EQ(value_at_held(curve, 385), 0.5);
+    EXPECT_EQ(value_at_held(curve, 390), 0);
+    EXPECT_EQ(value_at_held(curve, 700), 1.5);
+    EXPECT_EQ(curve_of(values).value.back(), 3);
+}
+
 } // namespace
 } // namespace metamer
