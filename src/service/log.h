@@ -18,9 +18,11 @@ struct LogField {
     std::string value;
 };
 
-/// Writes `event=KIND key=value ...`, values in double quotes where they hold blanks, quotes, `=` or control
-/// characters (escaped as \n, \", \\, \xHH); UTF-8 stays. At most one line per event kind a minute: what is
-/// kept back is counted, and the kind's next line says `suppressed=N`.
+/// Writes `event=KIND key=value ...`; a value stands in double quotes where it is empty or holds blanks,
+/// quotes,
+/// `=`, `\`, control characters or what is not UTF-8 (escaped as \n, \", \\, \xHH). UTF-8 stays. At most one
+/// line per event kind a minute: what is kept back is counted, and the kind's next line says `suppressed=N`.
+/// For one thread.
 class Log {
 public:
     using Clock = std::function<std::chrono::steady_clock::time_point()>;

@@ -1,0 +1,95 @@
+#include "service/notify.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <gmock/gmock.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+namespace metamer {
+namespace {
+
+using testing::Eq;
+using testing::Optional;
+using namespace std::chrono_literals;
+
+/// Takes systemd's part: a datagram socket, named in NOTIFY_SOCKET.
+class NotifyTest : public testing::Test {
+protected:
+    void SetUp() override {
+        path_ = (std::filesystem::temp_directory_path() / ("metamer-notify-" + std::to_string(getpid())))
+                    .string();
+        socket_ = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+        sockaddr_un address{};
+        address.sun_family = AF_UNIX;
+        ASSERT_LT(path_.size(), sizeof address.sun_path);
+        path_.copy(address.sun_path, path_.size());
+        ASSERT_EQ(bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+        setenv("NOTIFY_SOCKET", path_.c_str(), 1);
+    }
+    void TearDown() override {
+        unsetenv("NOTIFY_SOCKET");
+        close(socket_);
+        std::filesystem::remove(path_);
+    }
+    /// The next datagram; empty where there is none.
+    std::string heard() const {
+        char bytes[4096];
+        const auto size = recv(socket_, bytes, sizeof bytes, MSG_DONTWAIT);
+        return size < 0 ? "" : std::string(bytes, static_cast<std::size_t>(size));
+    }
+
+private:
+    std::string path_;
+    int socket_ = -1;
+};
+
+TEST_F(NotifyTest, SpeaksSystemdsWords) {
+    notify_ready();
+    EXPECT_EQ(heard(), "READY=1");
+    notify_alive();
+    EXPECT_EQ(heard(), "WATCHDOG=1");
+    notify_stopping();
+    EXPECT_EQ(heard(), "STOPPING=1");
+    EXPECT_EQ(heard(), "");
+}
+
+TEST_F(NotifyTest, SaysWhenItReloads) {
+    notify_reloading();
+    EXPECT_THAT(heard(), testing::MatchesRegex("RELOADING=1\nMONOTONIC_USEC=[1-9][0-9]*"));
+}
+
+TEST_F(NotifyTest, AStatusIsOneLine) {
+    notify_status("showing F11");
+    EXPECT_EQ(heard(), "STATUS=showing F11");
+    notify_status("refused\nSTOPPING=1");
+    EXPECT_EQ(heard(), "STATUS=refused STOPPING=1");
+}
+
+TEST(Notify, WithoutSystemdNothingHappens) {
+    unsetenv("NOTIFY_SOCKET");
+    notify_ready();
+    setenv("NOTIFY_SOCKET", "/nowhere/at/all", 1);
+    notify_alive();
+    unsetenv("NOTIFY_SOCKET");
+}
+
+TEST(AliveInterval, IsHalfOfWhatSystemdWaits) {
+    setenv("WATCHDOG_USEC", "10000000", 1);
+    EXPECT_THAT(alive_interval(), Optional(5000ms));
+    setenv("WATCHDOG_PID", std::to_string(getpid()).c_str(), 1);
+    EXPECT_THAT(alive_interval(), Optional(5000ms));
+    setenv("WATCHDOG_PID", "1", 1); // another process is watched
+    EXPECT_EQ(alive_interval(), std::nullopt);
+    unsetenv("WATCHDOG_PID");
+    setenv("WATCHDOG_USEC", "1000", 1); // never 0, which would be always
+    EXPECT_THAT(alive_interval(), Optional(1ms));
+    setenv("WATCHDOG_USEC", "soon", 1);
+    EXPECT_EQ(alive_interval(), std::nullopt);
+    unsetenv("WATCHDOG_USEC");
+    EXPECT_EQ(alive_interval(), std::nullopt);
+}
+
+} // namespace
+} // namespace metamer
