@@ -1,6 +1,7 @@
 #include "exhibit/keys.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "base/names.h"
 #include "base/numbers.h"
@@ -55,6 +56,9 @@ std::vector<std::string> transfer_names() {
 std::vector<std::string> adaptation_names() {
     return {"none", "bradford"};
 }
+std::vector<std::string> rotations() {
+    return {"0", "90", "180", "270"};
+}
 using enum ValueKind;
 
 // clang-format off
@@ -72,6 +76,9 @@ constexpr KeyInfo kKeys[] = {
      "colors that the space does not hold: cut off by component, or brought in at their hue"},
     {"display", "color_depth", choice, "bits", 0, 0, 1, color_depths, "24", "of the framebuffer; 16 is RGB565"},
     {"display", "dither", yes_no, "", 0, 0, 1, nullptr, "no", "ordered dithering to that depth: no bands in ramps"},
+    {"display", "fullscreen", yes_no, "", 0, 0, 1, nullptr, "yes", "metamer run: the whole screen; no: a window of width x height"},
+    {"display", "rotation", choice, "degrees", 0, 0, 1, rotations, "0", "metamer run: how the screen hangs, clockwise; touch follows"},
+    {"display", "diagonal", number, "inches", 2, 200, 1, nullptr, "as the display says", "metamer run: of the screen; sizes of letters and buttons follow it"},
 
     {"accuracy", "method", choice, "", 0, 0, 1, method_choices, "auto",
      "how color is computed where nothing else says so; auto: by the cheapest method within the tolerance"},
@@ -121,6 +128,23 @@ constexpr KeyInfo kKeys[] = {
     {"compare", "right.lamp", lamp, "", 0, 0, 1, nullptr, "each lamp's own", "spectrum of every lamp in the right half"},
     {"compare", "right.working_space", choice, "", 0, 0, 1, space_names, "[display] working_space", "RGB space of the right half"},
     {"compare", "right.strength", number, "", 0, 1e6, 1, nullptr, "each lamp's own", "strength of every lamp in the right half"},
+
+    {"kiosk", "idle_s", number, "s", 5, 3600, 1, nullptr, "60", "without a touch, until the exhibit returns to its start and the tour runs"},
+    {"kiosk", "language", text, "", 0, 0, 1, nullptr, "en", "that the exhibit starts with: the name of a file in the folder of strings"},
+    {"kiosk", "strings", file, "", 0, 0, 1, nullptr, "the program's own", "folder of the languages"},
+    {"kiosk", "lamps", lamps, "", 0, 0, 1, nullptr, "E, D65, A2800, F11, white-LED, krypton", "the shelf of lamps, at most 12"},
+    {"kiosk", "booth.left", lamp, "", 0, 0, 1, nullptr, "the second of the shelf", "two lamps: where the pair of cards matches; a lamp of the shelf"},
+    {"kiosk", "booth.right", lamp, "", 0, 0, 1, nullptr, "the fourth of the shelf", "two lamps: where it parts; a lamp of the shelf"},
+    {"kiosk", "night", hours, "", 0, 0, 1, nullptr, "none", "local time in which the screen is dark until it is touched"},
+    {"kiosk", "pixel_shift", whole, "px", 0, 16, 1, nullptr, "4", "how far the picture wanders against burn-in"},
+    {"kiosk", "watch_s", number, "s", 0, 3600, 1, nullptr, "60", "how often a known patch is drawn and compared; 0: never"},
+
+    {"tour.N", "lamp", lamp, "", 0, 0, 1, nullptr, "as before", "a lamp of the shelf"},
+    {"tour.N", "materials", materials, "", 0, 0, 1, nullptr, "as before", "in place of [scene] materials"},
+    {"tour.N", "split", number, "", 0, 1, 1, nullptr, "as before", "where the right half begins"},
+    {"tour.N", "seconds", number, "s", 1, 600, 1, nullptr, "8", "how long the step stays"},
+    {"tour.N", "caption", text, "", 0, 0, 1, nullptr, "none", "words below the picture, in every language without its own"},
+    {"tour.N", "caption.LANGUAGE", text, "", 0, 0, 1, nullptr, "caption", "the same in a language, as in caption.de"},
 };
 // clang-format on
 
@@ -131,11 +155,14 @@ std::span<const KeyInfo> keys() {
 }
 
 std::string_view section_pattern(std::string_view section) {
-    if (section.starts_with("lamp.")) {
+    for (const auto& [head, pattern, most] :
+         {std::tuple("lamp.", "lamp.N", kMostLamps), std::tuple("tour.", "tour.N", kMostTourSteps)}) {
+        if (!section.starts_with(head))
+            continue;
         const auto number = parse_whole(section.substr(5));
         const bool fits =
-            number && *number >= 1 && *number <= kMostLamps && std::to_string(*number) == section.substr(5);
-        return fits ? "lamp.N" : std::string_view();
+            number && *number >= 1 && *number <= most && std::to_string(*number) == section.substr(5);
+        return fits ? pattern : std::string_view();
     }
     if (section.starts_with("object."))
         return section.size() > 7 ? "object.NAME" : std::string_view();
@@ -147,8 +174,10 @@ std::string_view section_pattern(std::string_view section) {
 
 const KeyInfo* find_key(std::string_view section, std::string_view key) {
     const std::string_view pattern = section_pattern(section);
+    const bool is_language = key.starts_with("caption.") && key.size() > 8;
     const auto found = std::find_if(std::begin(kKeys), std::end(kKeys), [&](const KeyInfo& info) {
-        return info.section == pattern && info.key == key;
+        return info.section == pattern &&
+               (info.key == key || (is_language && info.key == "caption.LANGUAGE"));
     });
     return found == std::end(kKeys) ? nullptr : found;
 }
@@ -157,6 +186,8 @@ std::string unknown_section(std::string_view section) {
     const std::size_t dot = std::min(section.find('.'), section.size());
     const std::string_view head = section.substr(0, dot), tail = section.substr(dot);
     const std::string text = "unknown section [" + std::string(section) + "]";
+    if (head == "tour")
+        return text + "; steps of the tour are [tour.1] .. [tour." + std::to_string(kMostTourSteps) + "]";
     if (head == "lamp")
         return text + "; lamps are [lamp.1] .. [lamp." + std::to_string(kMostLamps) + "]";
     if (head == "object")
@@ -165,8 +196,8 @@ std::string unknown_section(std::string_view section) {
     for (const KeyInfo& info : kKeys)
         heads.emplace_back(info.section.substr(0, info.section.find('.')));
     std::string near = nearest_name(head, heads);
-    if (near == "lamp" || near == "object")
-        near += tail.size() > 1 ? std::string(tail) : near == "lamp" ? ".1" : ".NAME";
+    if (near == "lamp" || near == "object" || near == "tour")
+        near += tail.size() > 1 ? std::string(tail) : near == "object" ? ".NAME" : ".1";
     return near.empty() ? text : text + "; did you mean [" + near + "]?";
 }
 

@@ -20,12 +20,16 @@ enum class ValueKind {
     lamp,      ///< name, formula, file or, with [atlas] file, key
     material,  ///< likewise
     materials, ///< a set, or materials with commas between
+    lamps,     ///< lamps with commas between
+    hours,     ///< from - to, as in 22:00-07:00
+    text,      ///< words for people
     file,      ///< a path, relative to the INI file
 };
 
 struct KeyInfo {
-    std::string_view section; ///< display, accuracy, atlas, scene, lamp.N, object.NAME, compare
-    std::string_view key;
+    /// display, accuracy, atlas, scene, lamp.N, object.NAME, compare, kiosk, tour.N
+    std::string_view section;
+    std::string_view key; ///< `caption.LANGUAGE` stands for one key per language
     ValueKind kind;
     std::string_view unit;                           ///< empty: none
     double least = 0, most = 0;                      ///< numbers: the range, ends included
@@ -39,7 +43,7 @@ struct KeyInfo {
 std::span<const KeyInfo> keys();
 
 /// The pattern that a section's name fits (`lamp.2` fits `lamp.N`, N without leading zeros and at most
-/// kMostLamps); empty when it fits none.
+/// kMostLamps, of tours kMostTourSteps); empty when it fits none.
 std::string_view section_pattern(std::string_view section);
 
 /// The key's row in the table; nullptr when the section has no such key. Names are compared with case.

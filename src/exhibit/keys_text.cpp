@@ -46,6 +46,12 @@ std::string range_text(const KeyInfo& info) {
         return "a material: name, formula, file or key";
     case ValueKind::materials:
         return "a set's name, or materials with commas between";
+    case ValueKind::lamps:
+        return "lamps with commas between";
+    case ValueKind::hours:
+        return "from-to, as in 22:00-07:00";
+    case ValueKind::text:
+        return "text";
     case ValueKind::file:
         return "a path relative to the INI file";
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,14 +13,17 @@
 
 namespace metamer {
 
+struct Exhibit;
+
 inline constexpr int kMostShelfLamps = 12; ///< tiles that a screen has room for
 inline constexpr int kMostTourSteps = 64;
 
 /// [tour.N]: one step of the tour.
 struct TourStep {
-    std::optional<std::size_t> lamp;             ///< of Kiosk::lamps; none: as the step before
-    std::optional<double> split;                 ///< likewise
-    std::optional<std::string> materials;        ///< as [scene] materials; none: as the step before
+    std::optional<std::size_t> lamp; ///< of Kiosk::lamps; none: as the step before
+    std::optional<double> split;     ///< likewise
+    /// The exhibit with the step's own materials, without tour; none: as the step before.
+    std::shared_ptr<const Exhibit> scene;
     std::map<std::string, std::string> captions; ///< by language; "" for every other
     double seconds = 8;
 

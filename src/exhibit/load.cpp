@@ -21,12 +21,10 @@ Setting unwritten(std::string_view section, std::string_view key, const std::str
     return {std::string(section), std::string(key), value, place, ".", find_key(section, key)};
 }
 
-Exhibit parse_exhibit(std::string_view text, const std::string& place, const std::filesystem::path& folder,
-                      const std::vector<std::string>& sets, std::vector<std::string>* warnings) {
-    Settings settings(parse_ini(text, place), place, folder);
-    for (const std::string& set : sets)
-        settings.set(set);
+namespace {
 
+Exhibit build(const Settings& settings, const std::string& place, Use use,
+              std::vector<std::string>* warnings) {
     Exhibit exhibit;
     exhibit.place = place;
     exhibit.display = load_display(settings);
@@ -37,21 +35,38 @@ Exhibit parse_exhibit(std::string_view text, const std::string& place, const std
     exhibit.objects = load_objects(settings, scene, rows, place, warnings);
     exhibit.lamps = load_lamps(settings, scene, rows, place, warnings);
     exhibit.compare = load_compare(settings, exhibit.display, rows);
+    exhibit.kiosk = load_kiosk(settings, rows, use == Use::kiosk, place, [&](const Setting& materials) {
+        Settings changed = settings.without("tour.N");
+        Setting scene_materials = materials;
+        scene_materials.section = "scene";
+        changed.replace(std::move(scene_materials));
+        return std::make_shared<const Exhibit>(build(changed, place, Use::kiosk, nullptr));
+    });
     exhibit.atlas = rows.atlas();
     exhibit.materials = rows.full_materials();
     return exhibit;
 }
 
-Exhibit load_exhibit(const std::filesystem::path& path, const std::vector<std::string>& sets,
-                     std::vector<std::string>* warnings) {
-    const std::filesystem::path folder =
-        path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    return parse_exhibit(read_file(path, kMostBytes), path.string(), folder, sets, warnings);
+} // namespace
+
+Exhibit parse_exhibit(std::string_view text, const std::string& place, const std::filesystem::path& folder,
+                      const std::vector<std::string>& sets, std::vector<std::string>* warnings, Use use) {
+    Settings settings(parse_ini(text, place), place, folder);
+    for (const std::string& set : sets)
+        settings.set(set);
+    return build(settings, place, use, warnings);
 }
 
-Exhibit default_exhibit(const std::vector<std::string>& sets, std::vector<std::string>* warnings) {
+Exhibit load_exhibit(const std::filesystem::path& path, const std::vector<std::string>& sets,
+                     std::vector<std::string>* warnings, Use use) {
+    const std::filesystem::path folder =
+        path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    return parse_exhibit(read_file(path, kMostBytes), path.string(), folder, sets, warnings, use);
+}
+
+Exhibit default_exhibit(const std::vector<std::string>& sets, std::vector<std::string>* warnings, Use use) {
     return parse_exhibit(metamer_exhibit_files::embedded("crayons.ini"), "the built-in crayons.ini", ".",
-                         sets, warnings);
+                         sets, warnings, use);
 }
 
 } // namespace metamer

@@ -10,6 +10,9 @@
 
 namespace metamer {
 
+/// What an exhibit is loaded for: `kiosk` has the default shelf of lamps where the INI says nothing of it.
+enum class Use { frame, kiosk };
+
 /// Reads an exhibit: the file, then the overrides of `--set`, then every name in it, first in the atlas that
 /// [atlas] file names, then in the library, as a formula or as a file.
 ///
@@ -22,15 +25,15 @@ namespace metamer {
 /// receives one sentence per doubt, with its place. Throws bad_input as `cannot read FILE:LINE: CAUSE` or
 /// `cannot read --set ...: CAUSE`.
 Exhibit load_exhibit(const std::filesystem::path& path, const std::vector<std::string>& sets = {},
-                     std::vector<std::string>* warnings = nullptr);
+                     std::vector<std::string>* warnings = nullptr, Use use = Use::frame);
 
 /// The same from text; `place` is its name for errors, `folder` where its relative paths start.
 Exhibit parse_exhibit(std::string_view text, const std::string& place, const std::filesystem::path& folder,
-                      const std::vector<std::string>& sets = {},
-                      std::vector<std::string>* warnings = nullptr);
+                      const std::vector<std::string>& sets = {}, std::vector<std::string>* warnings = nullptr,
+                      Use use = Use::frame);
 
 /// The built-in exhibit (config/crayons.ini), for commands called without a file.
 Exhibit default_exhibit(const std::vector<std::string>& sets = {},
-                        std::vector<std::string>* warnings = nullptr);
+                        std::vector<std::string>* warnings = nullptr, Use use = Use::frame);
 
 } // namespace metamer

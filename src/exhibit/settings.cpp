@@ -19,14 +19,14 @@ const KeyInfo* known(std::string_view section, std::string_view key, const std::
     return info;
 }
 
-/// Where the dot between section and key is: after the number of a lamp, the last one of an object, else the
-/// first.
+/// Where the dot between section and key is: after the number of a lamp or a tour's step, the last one of an
+/// object, else the first.
 std::size_t section_end(std::string_view name) {
     if (name.starts_with("object."))
         return name.size() > 7 ? name.rfind('.') : std::string_view::npos;
     const std::size_t first = name.find('.');
-    const bool numbered =
-        name.substr(0, first) == "lamp" && name.find('.', first + 1) != std::string_view::npos;
+    const bool numbered = (name.substr(0, first) == "lamp" || name.substr(0, first) == "tour") &&
+                          name.find('.', first + 1) != std::string_view::npos;
     return numbered ? name.find('.', first + 1) : first;
 }
 
@@ -55,18 +55,39 @@ void Settings::set(const std::string& text) {
     const std::string section(name.substr(0, dot)), key(name.substr(dot + 1));
     const std::string value(trimmed(std::string_view(text).substr(equals + 1)));
     const Setting setting{section, key, value, place, ".", known(section, key, place)};
-    std::erase_if(settings_, [&](const Setting& s) { return s.section == section && s.key == key; });
     if (value.empty())
-        return;
-    settings_.push_back(setting);
-    if (std::ranges::find(sections_, section, &Section::name) == sections_.end())
-        sections_.push_back({section, place});
+        std::erase_if(settings_, [&](const Setting& s) { return s.section == section && s.key == key; });
+    else
+        replace(setting);
+}
+
+void Settings::replace(Setting setting) {
+    std::erase_if(settings_,
+                  [&](const Setting& s) { return s.section == setting.section && s.key == setting.key; });
+    if (std::ranges::find(sections_, setting.section, &Section::name) == sections_.end())
+        sections_.push_back({setting.section, setting.place});
+    settings_.push_back(std::move(setting));
 }
 
 const Setting* Settings::find(std::string_view section, std::string_view key) const {
     const auto found = std::ranges::find_if(
         settings_, [&](const Setting& setting) { return setting.section == section && setting.key == key; });
     return found == settings_.end() ? nullptr : &*found;
+}
+
+Settings Settings::without(std::string_view pattern) const {
+    Settings rest = *this;
+    std::erase_if(rest.sections_, [&](const Section& s) { return section_pattern(s.name) == pattern; });
+    std::erase_if(rest.settings_, [&](const Setting& s) { return section_pattern(s.section) == pattern; });
+    return rest;
+}
+
+std::vector<const Setting*> Settings::of(std::string_view section) const {
+    std::vector<const Setting*> out;
+    for (const Setting& setting : settings_)
+        if (setting.section == section)
+            out.push_back(&setting);
+    return out;
 }
 
 std::vector<Settings::Section> Settings::sections(std::string_view pattern) const {

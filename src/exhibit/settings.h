@@ -36,6 +36,15 @@ public:
     /// `--set TEXT`.
     void set(const std::string& text);
 
+    /// Puts the setting in the place of what its section and key had before.
+    void replace(Setting setting);
+
+    /// A copy without the sections that fit a pattern.
+    Settings without(std::string_view pattern) const;
+
+    /// All settings of a section, in order of appearance.
+    std::vector<const Setting*> of(std::string_view section) const;
+
     /// The setting of this key; nullptr when nothing sets it.
     const Setting* find(std::string_view section, std::string_view key) const;
 

@@ -15,10 +15,11 @@ TEST(Keys, SectionsFitTheirPatterns) {
     EXPECT_EQ(section_pattern("display"), "display");
     EXPECT_EQ(section_pattern("lamp.1"), "lamp.N");
     EXPECT_EQ(section_pattern("lamp.8"), "lamp.N");
+    EXPECT_EQ(section_pattern("tour.64"), "tour.N");
     EXPECT_EQ(section_pattern("object.crayon-red"), "object.NAME");
     EXPECT_EQ(section_pattern("object.a.b"), "object.NAME");
     for (const char* unknown : {"", "lamp", "lamp.", "lamp.0", "lamp.9", "lamp.01", "lamp.+1", "lamp.N.x",
-                                "object.", "object", "Display", "kiosk", "lamp.1 "})
+                                "object.", "object", "Display", "shop", "lamp.1 ", "tour.0", "tour.65"})
         EXPECT_EQ(section_pattern(unknown), "") << unknown;
 }
 

@@ -52,7 +52,7 @@ TEST(Settings, SetThatCannotBe) {
         {"lamp.strength=3", "unknown section [lamp]; lamps are [lamp.1] .. [lamp.8]"},
         {"lamp.1.strenght=3", "unknown key \"strenght\" in [lamp.1]; did you mean \"strength\"?"},
         {"dispay.width=3", "unknown section [dispay]; did you mean [display]?"},
-        {"display.fullscreen=1", "unknown key \"fullscreen\" in [display]"},
+        {"display.brightness=1", "unknown key \"brightness\" in [display]"},
         {"object.ball=1", "unknown section [object]; objects are [object.NAME]"},
         {"object.=1", "it must be section.key=value, as in lamp.1.spectrum=F11"},
     };
