@@ -1,7 +1,13 @@
-// Three numbers of the lamp times three numbers of the material: what `rgb`, `tristimulus` and `prefiltered` share.
-// Twin: src/methods/product.h.
+// Three numbers of the lamp times three numbers of the material: all of `rgb`, `tristimulus` and `prefiltered`, which
+// differ in what the numbers are. Twin: src/methods/product.h.
+#include "precision.glsl"
+#include "light.glsl"
+#include "output.glsl"
 #include "maps.glsl"
 
+#ifndef NUMBERS_ARE_RGB
+uniform mat3 u_rgb_from_numbers;
+#endif
 uniform vec3 u_lamp_color[LAMPS]; // in the method's space, strength in it
 
 #if SURFACE == SURFACE_MAPS
@@ -46,4 +52,12 @@ vec3 product() {
         total += part(u_lamp_color[l] * (color * diffuse + light[l].y));
     }
     return total;
+}
+
+void main() {
+#ifdef NUMBERS_ARE_RGB
+    gl_FragColor = encode(product());
+#else
+    gl_FragColor = encode(u_rgb_from_numbers * bounded(product()));
+#endif
 }

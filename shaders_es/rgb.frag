@@ -1,9 +1,3 @@
 // Method rgb: the product in the working space, what screens usually do.
-#include "precision.glsl"
-#include "light.glsl"
-#include "output.glsl"
+#define NUMBERS_ARE_RGB 1
 #include "product.glsl"
-
-void main() {
-    gl_FragColor = encode(product());
-}
