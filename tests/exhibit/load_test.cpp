@@ -215,7 +215,10 @@ TEST(Load, PathsStartAtTheFileThatNamesThem) {
     std::filesystem::create_directories(folder / "deep");
     write_file(folder / "deep/lamp.csv", "wavelength_nm,tube\n380,1\n700,2\n");
     write_file(folder / "deep/a.ini", "[lamp.1]\nspectrum = lamp.csv\n");
-    EXPECT_EQ(load_exhibit(folder / "deep/a.ini", with_quick_rows()).lamps.at(0).lamp.spectrum.continuum.value.back(), 2);
+    EXPECT_EQ(load_exhibit(folder / "deep/a.ini", with_quick_rows())
+                  .lamps.at(0)
+                  .lamp.spectrum.continuum.value.back(),
+              2);
     const std::string here = (folder / "deep/lamp.csv").string();
     EXPECT_EQ(exhibit_of("", {"lamp.1.spectrum=" + here}).lamps.at(0).lamp.spectrum.continuum.value.back(),
               2);

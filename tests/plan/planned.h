@@ -15,7 +15,9 @@ struct Planned {
     Plan plan;
 
     explicit Planned(const std::string& text, int fragment_bits = 23)
-        : exhibit(parse_exhibit(text, "k.ini", config_folder())), spectra(exhibit), plan(plan_exhibit(exhibit, spectra, fragment_bits)) {}
+        : exhibit(parse_exhibit(text, "k.ini", config_folder())),
+          spectra(exhibit),
+          plan(plan_exhibit(exhibit, spectra, fragment_bits)) {}
 
     const ObjectPlan& of(const std::string& object, std::size_t half = 0) const {
         return *std::ranges::find(plan.halves.at(half).objects, object, &ObjectPlan::object);
