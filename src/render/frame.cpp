@@ -3,22 +3,28 @@
 #include <algorithm>
 
 #include "color/colorimetry.h"
-#include "gles/framebuffer.h"
 #include "render/frame_renderer.h"
 #include "render/supersample.h"
 
 namespace metamer {
 
+ColorBuffer color_buffer_of(const Display& display) {
+    return display.color_depth_bits == 16 ? ColorBuffer::target_rgb565 : ColorBuffer::target;
+}
+
+Framebuffer framebuffer_of(const Display& display) {
+    return {display.width_px * display.supersample, display.height_px * display.supersample,
+            DepthBuffer::depth16, color_buffer_of(display)};
+}
+
 Image render_frame(const Exhibit& exhibit) {
     const int scale = exhibit.display.supersample;
-    const int width = exhibit.display.width_px * scale, height = exhibit.display.height_px * scale;
     FrameRenderer renderer(exhibit);
-    Framebuffer target(width, height, DepthBuffer::depth16,
-                       exhibit.display.color_depth_bits == 16 ? ColorBuffer::target_rgb565
-                                                              : ColorBuffer::target);
+    const Framebuffer target = framebuffer_of(exhibit.display);
     target.bind();
-    renderer.draw(width, height, scale);
-    return averaged({width, height, target.read_rgba()}, scale, exhibit.display.transfer);
+    renderer.draw(target.width_px(), target.height_px(), scale);
+    return averaged({target.width_px(), target.height_px(), target.read_rgba()}, scale,
+                    exhibit.display.transfer);
 }
 
 // Exhibits hold no singular matrix: the loader refuses it.

@@ -4,9 +4,17 @@
 #include <string>
 
 #include "exhibit/exhibit.h"
+#include "gles/framebuffer.h"
 #include "image/png.h"
 
 namespace metamer {
+
+/// The color buffer that stands for a display of this color depth.
+ColorBuffer color_buffer_of(const Display& display);
+
+/// A framebuffer of the display's size and color depth, its pixels `supersample` squared as many. Needs a
+/// current context; throws what Framebuffer throws.
+Framebuffer framebuffer_of(const Display& display);
 
 /// Draws the exhibit at its display's size into a framebuffer of its own and reads it back. Needs a current
 /// ES 2 context. Throws failure where GL refuses, bad_input for what the exhibit asks and cannot be

@@ -64,13 +64,10 @@ int measured_bits() {
 }
 
 FrameRenderer::FrameRenderer(const Exhibit& exhibit, DrawStyle style)
-    : FrameRenderer(exhibit, plan_exhibit(exhibit, ExhibitSpectra(exhibit), measured_bits()), style) {}
-
-FrameRenderer::FrameRenderer(const Exhibit& exhibit, Plan plan, DrawStyle style)
     : exhibit_(exhibit),
       style_(style),
       spectra_(exhibit),
-      plan_(std::move(plan)),
+      plan_(plan_exhibit(exhibit, spectra_, measured_bits())),
       scene_(build_scene(exhibit)),
       meshes_(upload_meshes(scene_)),
       front_to_back_(front_to_back(scene_)),

@@ -22,8 +22,6 @@ public:
     /// Measures what the fragment shaders compute with, plans, uploads, and draws the shadow maps. Throws
     /// failure where GL refuses, bad_input where the exhibit cannot be planned.
     explicit FrameRenderer(const Exhibit& exhibit, DrawStyle style = {});
-    /// The same with a plan already made.
-    FrameRenderer(const Exhibit& exhibit, Plan plan, DrawStyle style = {});
 
     /// Draws the frame, both halves, into the bound framebuffer of this size; `scale` multiplies everything
     /// that is given in pixels (supersampling).

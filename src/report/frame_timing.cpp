@@ -9,6 +9,7 @@
 
 #include "gles/info.h"
 #include "gles/timer_query.h"
+#include "render/frame.h"
 
 namespace metamer {
 
@@ -76,17 +77,11 @@ std::vector<double> ratios(std::span<const double> a, std::span<const double> b)
 }
 
 TimedFrame::TimedFrame(Exhibit exhibit, DrawStyle style)
-    : exhibit_(std::move(exhibit)),
-      renderer_(exhibit_, style),
-      scale_(exhibit_.display.supersample),
-      width_px_(exhibit_.display.width_px * scale_),
-      height_px_(exhibit_.display.height_px * scale_),
-      target_(width_px_, height_px_, DepthBuffer::depth16,
-              exhibit_.display.color_depth_bits == 16 ? ColorBuffer::target_rgb565 : ColorBuffer::target) {}
+    : exhibit_(std::move(exhibit)), renderer_(exhibit_, style), target_(framebuffer_of(exhibit_.display)) {}
 
 void TimedFrame::draw() {
     target_.bind();
-    renderer_.draw(width_px_, height_px_, scale_);
+    renderer_.draw(target_.width_px(), target_.height_px(), exhibit_.display.supersample);
 }
 
 } // namespace metamer

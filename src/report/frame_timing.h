@@ -48,7 +48,6 @@ public:
 private:
     Exhibit exhibit_;
     FrameRenderer renderer_;
-    int scale_, width_px_, height_px_;
     Framebuffer target_;
 };
 

@@ -23,9 +23,7 @@ Exhibit gray_ramp(const std::string& display) {
 
 Image drawn(const Exhibit& exhibit, DrawStyle style = {}) {
     const Surfaceless context;
-    const Framebuffer target(kWidth, kHeight, DepthBuffer::depth16,
-                             exhibit.display.color_depth_bits == 16 ? ColorBuffer::target_rgb565
-                                                                    : ColorBuffer::target);
+    const Framebuffer target(kWidth, kHeight, DepthBuffer::depth16, color_buffer_of(exhibit.display));
     glEnable(GL_DITHER);
     FrameRenderer renderer(exhibit, style);
     target.bind();
@@ -95,9 +93,7 @@ TEST(KeepHue, IsItsTwinByEveryMethod) {
 /// rounding; in steps of `levels`. The greatest.
 double worst_tile(Exhibit exhibit, double levels) {
     const Surfaceless context;
-    const Framebuffer target(16, 16, DepthBuffer::none,
-                             exhibit.display.color_depth_bits == 16 ? ColorBuffer::target_rgb565
-                                                                    : ColorBuffer::target);
+    const Framebuffer target(16, 16, DepthBuffer::none, color_buffer_of(exhibit.display));
     FrameRenderer renderer(exhibit);
     double worst = 0;
     for (int i = 1; i < 20; ++i) {
