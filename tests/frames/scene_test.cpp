@@ -8,6 +8,7 @@
 #include <set>
 
 #include "frames/frames.h"
+#include "render/draws.h"
 
 namespace metamer {
 namespace {
@@ -137,6 +138,21 @@ TEST(View, TheEyeIsWhereTheMatrixLooksFrom) {
     EXPECT_NEAR(
         glm::dot(glm::normalize(view.eye - camera.target), glm::normalize(camera.eye - camera.target)), 1,
         1e-6);
+}
+
+TEST(Scenes, LampsWithoutAPlaceStandWhereTheSceneWantsThem) {
+    const Exhibit exhibit =
+        exhibit_of("[scene]\nkind = still-life\n[lamp.1]\nspectrum = A\n[lamp.2]\nspectrum = "
+                   "F11\n[lamp.3]\nspectrum = E\nposition = 1 2 3\n[lamp.4]\nspectrum = "
+                   "E\ndirection = 0 -1 0\n");
+    const Scene scene = build_scene(exhibit);
+    const auto lamps = half_views(exhibit)[0].lamps;
+    ASSERT_EQ(lamps.size(), 4u);
+    const auto place = [&](std::size_t lamp) { return lamp_place(exhibit, lamps[lamp], scene); };
+    EXPECT_EQ(place(0), glm::vec4(scene.lamp_directions[0], 0));
+    EXPECT_EQ(place(1), glm::vec4(scene.lamp_directions[1], 0));
+    EXPECT_EQ(place(2), glm::vec4(1, 2, 3, 1));
+    EXPECT_EQ(place(3), glm::vec4(0, 1, 0, 0)) << "light falls down, the lamp is up";
 }
 
 } // namespace

@@ -2,10 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/error.h"
-#include "frames/frames.h"
+#include "exhibit/support.h"
 #include "methods/three_numbers.h"
-#include "render/draws.h"
 
 namespace metamer {
 namespace {
@@ -87,21 +85,6 @@ TEST(HalfViews, TheTransferIsTheDisplays) {
     EXPECT_EQ(views_of(patches("[display]\ntransfer = none\n"))[0].output.transfer, Transfer::none);
 }
 
-TEST(HalfViews, LampsWithoutAPlaceStandWhereTheSceneWantsThem) {
-    const Exhibit exhibit =
-        exhibit_of("[scene]\nkind = still-life\n[lamp.1]\nspectrum = A\n[lamp.2]\nspectrum = "
-                   "F11\n[lamp.3]\nspectrum = E\nposition = 1 2 3\n[lamp.4]\nspectrum = "
-                   "E\ndirection = 0 -1 0\n");
-    const Scene scene = build_scene(exhibit);
-    const auto lamps = half_views(exhibit)[0].lamps;
-    ASSERT_EQ(lamps.size(), 4u);
-    const auto place = [&](std::size_t lamp) { return lamp_place(exhibit, lamps[lamp], scene); };
-    EXPECT_EQ(place(0), glm::vec4(scene.lamp_directions[0], 0));
-    EXPECT_EQ(place(1), glm::vec4(scene.lamp_directions[1], 0));
-    EXPECT_EQ(place(2), glm::vec4(1, 2, 3, 1));
-    EXPECT_EQ(place(3), glm::vec4(0, 1, 0, 0)) << "light falls down, the lamp is up";
-}
-
 TEST(HalfViews, FlatScenesHaveNoShadows) {
     const HalfView view = views_of(patches("[lamp.1]\nspectrum = A\nshadow = yes\n"))[0];
     EXPECT_EQ(view.shadows, 0);
@@ -127,36 +110,6 @@ TEST(HalfViews, AnOwnMatrixHasTheWhiteOfSrgb) {
     Exhibit exhibit = patches("[display]\nworking_space = NTSC-C\n");
     exhibit.display.matrix = Matrix3::identity();
     EXPECT_EQ(views_of(exhibit)[0].output.white, &white_emission(working_spaces()[0]));
-}
-
-TEST(ColorChunks, SayWhatThePixelsMean) {
-    Display display;
-    EXPECT_TRUE(color_chunks(display).srgb);
-    display.working_space = find_working_space("PAL-D65");
-    EXPECT_FALSE(color_chunks(display).srgb);
-    EXPECT_DOUBLE_EQ(color_chunks(display).gamma, 1 / 2.2);
-    display.working_space = &working_spaces()[0];
-    display.matrix = rgb_from_xyz(*find_working_space("Adobe-D65"));
-    EXPECT_FALSE(color_chunks(display).srgb);
-    EXPECT_NEAR(color_chunks(display).xy.value()[4], 0.21, 1e-9); // green's x
-    display.matrix.reset();
-    display.transfer = Transfer::none;
-    EXPECT_FALSE(color_chunks(display).srgb);
-    EXPECT_EQ(color_chunks(display).gamma, 1);
-    display.working_space = find_working_space("NTSC-C");
-    const auto xy = color_chunks(display).xy.value();
-    EXPECT_NEAR(xy[0], 0.31006, 1e-9);    // white
-    EXPECT_NEAR(xy[5], 0.71, 1e-9);       // green's y
-    display.matrix = Matrix3::identity(); // primaries X, Y, Z: y of X is 0, no chromaticities for a PNG
-    EXPECT_FALSE(color_chunks(display).xy);
-}
-
-TEST(EncodedFrame, NamesItsExhibit) {
-    Exhibit exhibit;
-    exhibit.place = "config/some.ini";
-    const Png png = decode_png(encode_frame({1, 1, {1, 2, 3, 255}}, exhibit), "frame");
-    EXPECT_EQ(png.text.at("Title"), "config/some.ini");
-    EXPECT_TRUE(png.color.srgb);
 }
 
 } // namespace
