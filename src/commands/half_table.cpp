@@ -16,9 +16,9 @@ namespace {
 
 // The color that the display gives to one half's code values, clamped as it clamps them.
 Xyz shown(const Exhibit& exhibit, const ExhibitSpectra& spectra, const HalfPlan& half, std::size_t object) {
-    Pixel pixel = pixel_of(half.view);
+    const ObjectSetting& setting = exhibit.objects[object];
+    Pixel pixel = pixel_of(exhibit, half.view, spectra, setting, setting.material);
     pixel.lamps.front().strength = 1;
-    pixel.material = spectra.material(exhibit.objects[object].material.key);
     Sight sight{&spectra.seen(), &spectra.exact(), half.view.output_of()};
     const ObjectPlan& plan = half.objects[object];
     if (plan.method == Method::reduced)

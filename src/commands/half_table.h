@@ -16,9 +16,9 @@ struct HalfDifference {
 };
 
 /// For each of the thesis's fifteen lamps, in its order, the lamp in place of the exhibit's (a half's own
-/// lamp stays): the differences over the exhibit's materials at strength 1, of the colors as the display
-/// shows them: in its working space or own matrix, clamped, not rounded. Throws bad_input for an exhibit
-/// without [compare].
+/// lamp stays): the differences over the exhibit's materials at strength 1, seen through their media where
+/// these are thickest, of the colors as the display shows them: in its working space or own matrix, clamped,
+/// not rounded. Throws bad_input for an exhibit without [compare].
 std::vector<HalfDifference> half_differences(const Exhibit& exhibit);
 
 /// The same as a table for people.

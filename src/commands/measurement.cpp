@@ -3,8 +3,7 @@
 #include "color/colorimetry.h"
 #include "color/difference.h"
 #include "methods/shade.h"
-#include "plan/exhibit_spectra.h"
-#include "plan/half_view.h"
+#include "plan/object_pixels.h"
 #include "render/frame.h"
 
 namespace metamer {
@@ -47,8 +46,8 @@ Measurement measure(const Lamp& lamp, const Material& material, const Display& d
         const Exhibit exhibit = pair_exhibit(lamp, material, display, info.method);
         const ExhibitSpectra spectra(exhibit);
         const HalfView view = half_views(exhibit).front();
-        Pixel pixel = pixel_of(view);
-        pixel.material = spectra.material(exhibit.objects.front().material.key);
+        const ObjectSetting& object = exhibit.objects.front();
+        const Pixel pixel = pixel_of(exhibit, view, spectra, object, object.material);
         const Sight sight{&spectra.seen(), &spectra.exact(), view.output_of()};
         const Xyz xyz = shade_xyz<double>(info.method, pixel, sight);
         out.methods.push_back({info.method, xyz, delta_e_2000(xyz, out.reference),

@@ -102,13 +102,22 @@ BasicLinearRgb<T> shade_reduced(const Pixel& pixel, const Sight& sight) {
         lit.push_back({weights[l], narrowed<T>(mirrored), narrowed<T>(lamp.light)});
     }
     std::vector<TapLayers<T>> layers;
-    for (const double nm : taps.wavelength_nm) {
-        const double t = pixel.medium ? std::max(pixel.medium->at(nm), kLeastTransmittance) : 1;
-        layers.push_back(
-            {static_cast<T>(std::log2(t)), static_cast<T>(pixel.other ? pixel.other->at(nm) : 0)});
-    }
+    for (const TapLayers<double>& layer : tap_layers(pixel, taps))
+        layers.push_back({static_cast<T>(layer.medium_log2), static_cast<T>(layer.other)});
     const auto [r, g, b] = reduced<T>(lit, layers, static_cast<T>(pixel.medium ? pixel.thickness : 0));
     return {r, g, b};
+}
+
+// What each lamp alone makes of the pixel if this is its light.
+std::vector<std::array<double, 3>> folded_under(const Pixel& pixel, const Light<double>& light,
+                                                const GridObserver& exact, const Matrix3& rgb_from_xyz) {
+    std::vector<std::array<double, 3>> colors;
+    Pixel one = pixel;
+    for (const PixelLamp& lamp : pixel.lamps) {
+        one.lamps = {{lamp.row, lamp.full, lamp.strength, light}};
+        colors.push_back(rgb_from_xyz * numbers(exact_xyz(one, exact)));
+    }
+    return colors;
 }
 
 } // namespace
@@ -176,20 +185,30 @@ std::vector<std::vector<std::array<double, 3>>> tap_colors(const Pixel& pixel, c
     return colors;
 }
 
+std::vector<TapLayers<double>> tap_layers(const Pixel& pixel, const Taps& taps) {
+    std::vector<TapLayers<double>> layers;
+    for (const double nm : taps.wavelength_nm) {
+        const double t = pixel.medium ? std::max(pixel.medium->at(nm), kLeastTransmittance) : 1;
+        layers.push_back({std::log2(t), pixel.other ? pixel.other->at(nm) : 0});
+    }
+    return layers;
+}
+
+std::vector<std::array<double, 3>> reflected_colors(const Pixel& pixel, const GridObserver& exact,
+                                                    const Matrix3& rgb_from_xyz) {
+    return folded_under(pixel, {1, 0, 0}, exact, rgb_from_xyz);
+}
+
 std::vector<FoldedLamp<double>> folded_lamps(const Pixel& pixel, const GridObserver& exact,
                                              const Matrix3& rgb_from_xyz) {
+    const auto reflected = reflected_colors(pixel, exact, rgb_from_xyz);
+    const auto mirrored = folded_under(pixel, {0, 1, 0}, exact, rgb_from_xyz);
+    std::vector<std::array<double, 3>> bounced(pixel.lamps.size());
+    if (pixel.other)
+        bounced = folded_under(pixel, {0, 0, 1}, exact, rgb_from_xyz);
     std::vector<FoldedLamp<double>> out;
-    for (const PixelLamp& lamp : pixel.lamps) {
-        Pixel one = pixel;
-        const auto under = [&](const Light<double>& light) {
-            one.lamps = {{lamp.row, lamp.full, lamp.strength, light}};
-            return rgb_from_xyz * numbers(exact_xyz(one, exact));
-        };
-        FoldedLamp<double> folded{under({1, 0, 0}), under({0, 1, 0}), {}, lamp.light};
-        if (pixel.other)
-            folded.bounced = under({0, 0, 1});
-        out.push_back(folded);
-    }
+    for (std::size_t l = 0; l < pixel.lamps.size(); ++l)
+        out.push_back({reflected[l], mirrored[l], bounced[l], pixel.lamps[l].light});
     return out;
 }
 

@@ -39,7 +39,15 @@ Taps taps_for(const Pixel& pixel, const std::vector<std::vector<double>>& own, i
 std::vector<std::vector<std::array<double, 3>>> tap_colors(const Pixel& pixel, const Taps& taps,
                                                            const Matrix3& rgb_from_xyz);
 
-/// The lamps of a pixel folded with its material: linear RGB, strength in it.
+/// What all lamps share at each tap: log2 of the medium's transmittance at thickness 1, of
+/// kLeastTransmittance at least, and the other wall's reflectance; 0 where there is none.
+std::vector<TapLayers<double>> tap_layers(const Pixel& pixel, const Taps& taps);
+
+/// What each lamp of a pixel at diffuse 1 makes of its material: linear RGB, strength in it.
+std::vector<std::array<double, 3>> reflected_colors(const Pixel& pixel, const GridObserver& exact,
+                                                    const Matrix3& rgb_from_xyz);
+
+/// The same with what each lamp's highlights and the other wall add: linear RGB, strength in it.
 std::vector<FoldedLamp<double>> folded_lamps(const Pixel& pixel, const GridObserver& exact,
                                              const Matrix3& rgb_from_xyz);
 

@@ -97,6 +97,19 @@ const ObjectSetting* other_wall(const Exhibit& exhibit, const ObjectSetting& obj
     return &exhibit.objects[exhibit.objects[0].name == object.name ? 1 : 0];
 }
 
+Pixel pixel_of(const Exhibit& exhibit, const HalfView& view, const ExhibitSpectra& spectra,
+               const ObjectSetting& object, const MaterialSetting& material) {
+    Pixel pixel = pixel_of(view);
+    pixel.material = spectra.material(material.key);
+    if (object.medium) {
+        pixel.medium = spectra.material(object.medium->key);
+        pixel.thickness = object.thickness;
+    }
+    if (const ObjectSetting* other = other_wall(exhibit, object))
+        pixel.other = spectra.material(other->material.key);
+    return pixel;
+}
+
 std::vector<NamedPixel> pixels_of(const Exhibit& exhibit, const HalfView& view, const ExhibitSpectra& spectra,
                                   const ObjectSetting& object) {
     std::vector<int> keys = keys_shown(object);

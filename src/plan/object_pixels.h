@@ -20,6 +20,11 @@ Surface surface_of(const Exhibit& exhibit, const ObjectSetting& object, Method m
 /// The wall that an object gets light from; nullptr where there is none.
 const ObjectSetting* other_wall(const Exhibit& exhibit, const ObjectSetting& object);
 
+/// A pixel of an object with one of its materials, lit by all of the half's lamps at diffuse 1; behind the
+/// object's medium where it is thickest; with the wall that the object gets light from.
+Pixel pixel_of(const Exhibit& exhibit, const HalfView& view, const ExhibitSpectra& spectra,
+               const ObjectSetting& object, const MaterialSetting& material);
+
 /// A pixel with a word for people: its lamps and material.
 struct NamedPixel {
     Pixel pixel;

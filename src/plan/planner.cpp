@@ -34,19 +34,9 @@ std::string number(double value) {
     return printed(value < 0.01 ? "%.1g" : "%.2f", value);
 }
 
-Pixel thickest(const Task& task) {
-    Pixel pixel = pixel_of(task.view);
-    const Pixel& sample = task.pixels.back().pixel;
-    pixel.material = sample.material;
-    pixel.medium = sample.medium;
-    pixel.thickness = task.object.thickness;
-    pixel.other = sample.other;
-    return pixel;
-}
-
 /// The taps of an object that carries maps serve any of its materials.
 Taps taps_of(const Task& task, int count) {
-    Pixel pixel = thickest(task);
+    const Pixel pixel = pixel_of(task.exhibit, task.view, task.spectra, task.object, task.object.material);
     if (surface_of(task.exhibit, task.object, Method::reduced) != Surface::maps && !task.object.material_end)
         return taps_for(pixel, count);
     std::vector<std::vector<double>> own;

@@ -1,7 +1,6 @@
 #include "render/draws.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "methods/three_numbers.h"
@@ -61,7 +60,6 @@ private:
     void add_tap_table(Draw& draw, const std::vector<std::vector<Rgb>>& colors,
                        const std::vector<double>& layers) const;
     std::vector<float> bounced(const ObjectSetting& object) const;
-    Pixel pixel(const ObjectSetting& object, const MaterialSetting& material) const;
     Rgb lamp_color(const HalfLamp& lamp, Method method) const;
 
     const Exhibit& exhibit_;
@@ -72,18 +70,6 @@ private:
     OutputSpace output_;
     Matrix3 rgb_from_xyz_;
 };
-
-Pixel HalfBuilder::pixel(const ObjectSetting& object, const MaterialSetting& material) const {
-    Pixel pixel = pixel_of(plan_.view);
-    pixel.material = spectra_.material(material.key);
-    if (object.medium) {
-        pixel.medium = spectra_.material(object.medium->key);
-        pixel.thickness = object.thickness;
-    }
-    if (const ObjectSetting* other = other_wall(exhibit_, object))
-        pixel.other = spectra_.material(other->material.key);
-    return pixel;
-}
 
 // What a highlight mirrors of a lamp, in the space that the method's shader adds it up in.
 Rgb HalfBuilder::lamp_color(const HalfLamp& lamp, Method method) const {
@@ -222,7 +208,8 @@ void HalfBuilder::add_folded(Draw& draw, const ObjectSetting& object) const {
     };
     using Folded = FoldedLamp<double>;
     const auto fold = [&](const MaterialSetting& material) {
-        return folded_lamps(pixel(object, material), spectra_.exact(), rgb_from_xyz_);
+        return folded_lamps(pixel_of(exhibit_, plan_.view, spectra_, object, material), spectra_.exact(),
+                            rgb_from_xyz_);
     };
     const auto lamps = fold(object.material);
     draw.uniforms.push_back({"u_folded", per_lamp(lamps, &Folded::reflected)});
@@ -244,7 +231,7 @@ void HalfBuilder::add_tap_table(Draw& draw, const std::vector<std::vector<Rgb>>&
 }
 
 void HalfBuilder::add_reduced(Draw& draw, const ObjectSetting& object, const Taps& taps) const {
-    Pixel seen = pixel(object, object.material);
+    Pixel seen = pixel_of(exhibit_, plan_.view, spectra_, object, object.material);
     const bool by_texture = draw.variant.surface == Surface::maps || draw.variant.surface == Surface::ramp;
     const Reflectance white = [] {
         Reflectance r;
@@ -267,11 +254,8 @@ void HalfBuilder::add_reduced(Draw& draw, const ObjectSetting& object, const Tap
     if (!scene_.lit)
         colors.resize(1);
     std::vector<double> layers;
-    for (const double nm : taps.wavelength_nm)
-        layers.push_back(seen.medium ? std::log2(std::max(seen.medium->at(nm), kLeastTransmittance)) *
-                                           object.thickness
-                         : seen.other ? seen.other->at(nm)
-                                      : 0);
+    for (const TapLayers<double>& layer : tap_layers(seen, taps))
+        layers.push_back(seen.medium ? layer.medium_log2 * seen.thickness : layer.other);
     if (draw.variant.taps == 0) {
         add_tap_table(draw, colors, layers);
         return;

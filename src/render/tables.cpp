@@ -71,9 +71,9 @@ FoldedTable folded_table(const HalfView& view, const ExhibitSpectra& spectra) {
     Pixel pixel = pixel_of(view);
     for (const int key : spectra.keys()) {
         pixel.material = spectra.material(key);
-        const auto folded = folded_lamps(pixel, spectra.exact(), rgb_from_xyz);
-        for (std::size_t l = 0; l < folded.size(); ++l)
-            colors[l].push_back(folded[l].reflected);
+        const auto reflected = reflected_colors(pixel, spectra.exact(), rgb_from_xyz);
+        for (std::size_t l = 0; l < reflected.size(); ++l)
+            colors[l].push_back(reflected[l]);
     }
     FoldedTable out{blank(2 * kMostLamps, kAtlasSize), {}};
     for (std::size_t l = 0; l < colors.size(); ++l) {

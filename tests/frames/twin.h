@@ -28,15 +28,7 @@ public:
 
     /// A pixel of the object under the half's lamps at diffuse 1; the medium at its full thickness.
     Pixel pixel_on(const ObjectSetting& object) const {
-        Pixel pixel = pixel_of(view());
-        pixel.material = spectra_.material(object.material.key);
-        if (object.medium) {
-            pixel.medium = spectra_.material(object.medium->key);
-            pixel.thickness = object.thickness;
-        }
-        if (const ObjectSetting* other = other_wall(exhibit_, object))
-            pixel.other = spectra_.material(other->material.key);
-        return pixel;
+        return pixel_of(exhibit_, view(), spectra_, object, object.material);
     }
 
     /// Linear RGB of a pixel by the object's method.

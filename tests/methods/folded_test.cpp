@@ -42,6 +42,17 @@ TEST(Folded, IsTheReferenceForAPair) {
                      reference_xyz(find_lamp(lamp).spectrum, find_material("cc-orange").spectrum), lamp);
 }
 
+TEST(ReflectedColors, AreEachLampAloneOnTheMaterialWhateverTheLight) {
+    const Pixel pixel = three_lamps("cc-orange");
+    const auto colors = reflected_colors(pixel, stock().exact(), Matrix3::identity());
+    ASSERT_EQ(colors.size(), 3u);
+    for (std::size_t l = 0; l < 3; ++l) {
+        const ReferenceLamp& lamp = *pixel.lamps[l].full;
+        expect_equal({colors[l][0], colors[l][1], colors[l][2]},
+                     pixel.lamps[l].strength * reference_xyz(lamp, *pixel.material.full), std::to_string(l));
+    }
+}
+
 TEST(Folded, MixedReflectancesAreMixedColors) {
     const Pixel a = stock().pair("F11", "cc-red"), b = stock().pair("F11", "cc-blue");
     std::vector<double> mixed = *a.material.full;

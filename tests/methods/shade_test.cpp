@@ -148,6 +148,27 @@ TEST(Shade, StrengthScalesLightByEveryMethod) {
     }
 }
 
+TEST(TapLayers, AreWhatTheLightPassesAtEachTap) {
+    Pixel pixel = stock().pair("D65", "cc-red");
+    const Taps taps{{450, 550.5, 650}, {std::vector<Xyz>(3)}};
+    for (const TapLayers<double>& none : tap_layers(pixel, taps)) {
+        EXPECT_EQ(none.medium_log2, 0);
+        EXPECT_EQ(none.other, 0);
+    }
+    pixel.medium = stock().layer("glass-cobalt");
+    pixel.thickness = 3; // is the pixel's, not the taps'
+    pixel.other = stock().layer("cc-blue");
+    const auto layers = tap_layers(pixel, taps);
+    ASSERT_EQ(layers.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(std::exp2(layers[i].medium_log2), pixel.medium->at(taps.wavelength_nm[i]), 1e-12) << i;
+        EXPECT_EQ(layers[i].other, pixel.other->at(taps.wavelength_nm[i])) << i;
+    }
+    Reflectance opaque;
+    pixel.medium = Layer{&opaque, nullptr};
+    EXPECT_EQ(tap_layers(pixel, taps)[0].medium_log2, -16) << "kLeastTransmittance: logarithms are finite";
+}
+
 TEST(Output, BoundsLightBeforeTheMatrix) {
     const auto bright = to_output<Float16>(rgb_from_xyz(working_spaces()[0]),
                                            {Float16(65000), Float16(65000), Float16(65000)});
