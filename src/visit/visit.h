@@ -1,6 +1,7 @@
 // A visit: what touches and time make of the state. Pure: time is passed in, nothing is drawn here.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -21,9 +22,7 @@ struct SetStrength {
 struct SetSplit {
     double split;
 };
-struct OpenObject {
-    std::size_t object;
-};
+using OpenObject = Seen;
 struct ClosePanel {};
 struct ChooseLanguage {
     std::string language;
@@ -60,6 +59,10 @@ public:
     /// Moves on to this time. `minute_of_day`: local time, 0 .. 1439, for the night.
     void tick(double now_s, int minute_of_day);
 
+    /// Another exhibit, or the same anew, takes the place of the old one: what a visitor chose stays as far
+    /// as it is there; a tour begins again at the next tick.
+    void take_over(const Exhibit& exhibit);
+
     /// When tick() has something to do next: the earliest of idle, the tour's next step, the next change of
     /// day and night (a minute from now at most, where there is a night).
     double next_s() const;
@@ -68,22 +71,22 @@ public:
     Phase phase() const { return phase_; }
     /// The tour's caption in the state's language; empty outside the tour.
     std::string caption() const;
-    /// The materials that the tour shows, as [scene] materials; none: the exhibit's own.
-    std::optional<std::string> materials() const { return materials_; }
+    /// The exhibit that the tour shows instead; nullptr: the exhibit's own scene.
+    const Exhibit* scene() const { return scene_.get(); }
     /// The tour's step, for whom it matters whether it is another; -1 outside the tour.
     int step() const { return step_; }
 
 private:
-    void start_tour(double now_s);
+    void back_to_start();
     void enter_step(std::size_t step, double now_s);
 
-    const Exhibit& exhibit_;
+    const Exhibit* exhibit_;
     VisitState state_;
     Phase phase_ = Phase::visitor;
-    double touched_s_, step_ends_s_ = 0, now_s_;
+    double touched_s_, now_s_, step_ends_s_ = 0;
     int step_ = -1;
     bool night_ = false;
-    std::optional<std::string> materials_;
+    std::shared_ptr<const Exhibit> scene_;
 };
 
 } // namespace metamer

@@ -14,13 +14,20 @@ enum class Mode {
     booth,   ///< one way of computing, two lamps: a light booth with a metameric pair
 };
 
+/// What a touch on the scene meant: the object and, of its key map, the material.
+struct Seen {
+    std::size_t object = 0;
+    std::string material; ///< its name: keys change when an exhibit is loaded anew
+    bool operator==(const Seen&) const = default;
+};
+
 struct VisitState {
     Mode mode = Mode::methods;
     /// Of Kiosk::lamps, the spectrum of every lamp; none: each lamp's own, as the INI says.
     std::optional<std::size_t> lamp;
-    double strength = 1; ///< factor on every lamp's own strength, kLeastStrength .. kMostStrength
-    double split = 0.5;  ///< 0 .. 1
-    std::optional<std::size_t> object; ///< whose panel is open
+    double strength = 1;      ///< factor on every lamp's own strength, kLeastStrength .. kMostStrength
+    double split = 0.5;       ///< 0 .. 1
+    std::optional<Seen> seen; ///< whose panel is open
     std::string language = "en";
     bool expert = false;
     /// Mode booth: the lamps of both sides, of Kiosk::lamps.
@@ -33,6 +40,9 @@ inline constexpr double kLeastStrength = 0.05, kMostStrength = 20;
 
 /// As the exhibit starts.
 VisitState start_state(const Exhibit& exhibit);
+
+/// Where the right half begins, 0 .. 1; 0 where the exhibit compares nothing.
+double split_share(const Exhibit& exhibit);
 
 /// The slider's place 0 .. 1 of a strength and back; logarithmic, 1 in the middle.
 double slider_of_strength(double strength);

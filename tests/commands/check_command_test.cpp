@@ -33,7 +33,7 @@ TEST_F(Check, SaysWhatValidFilesHold) {
 TEST_F(Check, EveryShippedExhibitIsValid) {
     std::vector<std::string> arguments = {"check"};
     for (const auto& entry : fs::recursive_directory_iterator(METAMER_SOURCE_DIR "/config"))
-        if (entry.path().extension() == ".ini")
+        if (entry.path().extension() == ".ini" && entry.path().parent_path().filename() != "strings")
             arguments.push_back(entry.path().string());
     ASSERT_GT(arguments.size(), 40u);
     const std::string out = output_of(arguments);

@@ -14,7 +14,7 @@ namespace {
 std::vector<std::filesystem::path> shipped() {
     std::vector<std::filesystem::path> paths;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(config_folder()))
-        if (entry.path().extension() == ".ini")
+        if (entry.path().extension() == ".ini" && entry.path().parent_path().filename() != "strings")
             paths.push_back(entry.path());
     std::ranges::sort(paths);
     return paths;
