@@ -1,0 +1,19 @@
+// One file of config/strings: read and held against the English one.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "overlay/words.h"
+
+namespace metamer {
+
+/// A language from the text of its file. `place`: the file, for errors. `english`: the keys and placeholders
+/// that it must have; empty only for the built-in English itself. Throws bad_input as Words() says.
+Language parse_language(std::string_view text, const std::string& code, const std::string& place,
+                        const std::vector<WordKey>& english);
+
+/// Whether a key is a lamp's or a material's name: free to be there or not.
+bool is_name_key(std::string_view key);
+
+} // namespace metamer
