@@ -1,0 +1,173 @@
+#include "methods/color_program.h"
+
+#include <cmath>
+#include <gmock/gmock.h>
+
+#include "color/colorimetry.h"
+#include "color/observer.h"
+#include "spectra/library.h"
+
+namespace metamer {
+namespace {
+
+using testing::DoubleNear;
+using testing::ElementsAre;
+
+double sum_of(std::span<const double> weight, const std::vector<double>& r) {
+    double sum = 0;
+    for (std::size_t i = 0; i < r.size(); ++i)
+        sum += weight[i] * r[i];
+    return sum;
+}
+
+// What the reflectance misses of the target.
+double missed(const ColorProgram& program, const std::vector<double>& r) {
+    Triple rest = program.target;
+    for (std::size_t i = 0; i < r.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            rest[k] -= r[i] * program.color[i][k];
+    return std::max({std::abs(rest[0]), std::abs(rest[1]), std::abs(rest[2])});
+}
+
+// Three pure colors and their mixture: one unknown is left, how much of the mixture.
+ColorProgram four(double target) {
+    return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}}, {target, target, target}};
+}
+
+std::vector<double> extreme_of_four(double target, double weight_of_mixture) {
+    const ColorProgram program = four(target);
+    ColorExtremes extremes(program);
+    return extremes.greatest(std::vector<double>{1, 1, 1, weight_of_mixture})->reflectance;
+}
+
+TEST(ColorProgram, AClosedForm) {
+    const auto are = [](double pure, double mixture) {
+        return ElementsAre(DoubleNear(pure, 1e-12), DoubleNear(pure, 1e-12), DoubleNear(pure, 1e-12),
+                           DoubleNear(mixture, 1e-12));
+    };
+    EXPECT_THAT(extreme_of_four(0.4, 2.9), are(0.4, 0)) << "dearer than its parts";
+    EXPECT_THAT(extreme_of_four(0.4, 3.1), are(0, 0.4)) << "worth more than its parts";
+    EXPECT_THAT(extreme_of_four(1.4, 2.9), are(1, 0.4)) << "as little of it as will do";
+    EXPECT_THAT(extreme_of_four(1.4, 3.1), are(0.4, 1)) << "as much of it as there is";
+    EXPECT_THAT(extreme_of_four(2, -5), are(1, 1)) << "white has one reflectance";
+    EXPECT_THAT(extreme_of_four(0, 5), are(0, 0)) << "black has one reflectance";
+}
+
+TEST(ColorProgram, NothingBeyondTheSolid) {
+    const std::vector<double> weight{1, 2, 3, 4};
+    for (const Triple& target :
+         {Triple{2.1, 2, 2}, Triple{-0.1, 0.5, 0.5}, Triple{1.5, 0.4, 0.4}, Triple{NAN, 0, 0}}) {
+        ColorProgram program = four(0);
+        program.target = target;
+        ColorExtremes extremes(program);
+        EXPECT_FALSE(extremes.greatest(weight)) << target[0];
+        EXPECT_FALSE(softly_greatest(program, weight, weight, 0.1)) << target[0];
+    }
+}
+
+// A program as pairs have it: the color of a gray under one lamp, weights by directions under another.
+struct LampProgram {
+    ColorProgram program;
+    std::vector<double> weight;
+};
+
+std::vector<Triple> colors(const std::string& lamp_name) {
+    const ReferenceLamp lamp = reference_lamp(find_lamp(lamp_name).spectrum);
+    std::vector<Triple> out;
+    for (std::size_t i = 0; i < kReferenceGrid.count; ++i) {
+        const ColorMatching& c = cie_1931_2deg()[i];
+        const double light = lamp.power[i] / lamp.k;
+        out.push_back({light * c.x, light * c.y, light * c.z});
+    }
+    return out;
+}
+
+LampProgram lamps(const std::string& matching, const std::string& parting, double gray,
+                  const Triple& direction) {
+    LampProgram out{{colors(matching), {}}, {}};
+    for (const Triple& c : out.program.color)
+        for (std::size_t k = 0; k < 3; ++k)
+            out.program.target[k] += gray * c[k];
+    for (const Triple& c : colors(parting))
+        out.weight.push_back(dot(direction, c));
+    return out;
+}
+
+const Triple kDirections[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 2, -0.5}, {0.3, -1, 0.2}};
+
+// Weak duality: no reflectance of that color has a greater sum than the dual says at any price. Where both
+// meet, both are at their end.
+TEST(ColorProgram, TheDualProvesTheGreatest) {
+    for (const char* matching : {"D65", "A2800", "F11", "krypton", "line:589"})
+        for (const char* parting : {"E", "F11", "krypton", "line:589"})
+            for (const Triple& direction : kDirections) {
+                const LampProgram p = lamps(matching, parting, 0.3, direction);
+                ColorExtremes extremes(p.program);
+                const auto found = extremes.greatest(p.weight);
+                ASSERT_TRUE(found) << matching << parting;
+                const double greatest = sum_of(p.weight, found->reflectance);
+                EXPECT_NEAR(dual_bound(p.program, p.weight, found->price), greatest, 1e-8)
+                    << matching << parting;
+                EXPECT_LT(missed(p.program, found->reflectance), 1e-11) << matching << parting;
+                EXPECT_GT(dual_bound(p.program, p.weight, {1, 1, 1}), greatest + 1e-3)
+                    << "another price proves less";
+                int between = 0;
+                for (const double r : found->reflectance) {
+                    ASSERT_GE(r, 0);
+                    ASSERT_LE(r, 1);
+                    between += r > 0 && r < 1;
+                }
+                EXPECT_LE(between, 3) << matching << parting;
+            }
+}
+
+TEST(ColorProgram, WhereItStartsFromDoesNotMatter) {
+    const LampProgram first = lamps("D65", "F11", 0.4, kDirections[0]);
+    ColorExtremes kept(first.program);
+    for (const Triple& direction : kDirections) {
+        const LampProgram p = lamps("D65", "F11", 0.4, direction);
+        ColorExtremes fresh(p.program);
+        EXPECT_NEAR(sum_of(p.weight, kept.greatest(p.weight)->reflectance),
+                    sum_of(p.weight, fresh.greatest(p.weight)->reflectance), 1e-8);
+    }
+}
+
+// Lagrange's condition of the soft program, whatever the price: what the mixture gains over its parts.
+TEST(SoftColorProgram, AClosedForm) {
+    const ColorProgram program = four(0.7);
+    const std::vector<double> weight{1, 1.2, 0.9, 3.4}, scale{1, 0.5, 2, 1.5};
+    for (const double softness : {2.0, 0.3, 0.05}) {
+        const auto found = softly_greatest(program, weight, scale, softness);
+        ASSERT_TRUE(found);
+        std::array<double, 4> gain{};
+        for (std::size_t i = 0; i < 4; ++i) {
+            const double r = found->reflectance[i];
+            gain[i] = softness * scale[i] * std::log(r / (1 - r));
+        }
+        EXPECT_NEAR(gain[3] - gain[0] - gain[1] - gain[2], 3.4 - 1 - 1.2 - 0.9, 1e-7) << softness;
+        EXPECT_LT(missed(program, found->reflectance), 1e-11) << softness;
+    }
+}
+
+TEST(SoftColorProgram, TendsToTheExactOne) {
+    const LampProgram p = lamps("D65", "A2800", 0.3, {0, 1, 0});
+    std::vector<double> scale;
+    for (const Triple& c : p.program.color)
+        scale.push_back(std::sqrt(dot(c, c)));
+    ColorExtremes extremes(p.program);
+    const double greatest = sum_of(p.weight, extremes.greatest(p.weight)->reflectance);
+    double before = -1;
+    for (const double softness : {1.0, 0.1, 0.01, 0.001, 0.0001}) {
+        const auto soft = softly_greatest(p.program, p.weight, scale, softness);
+        ASSERT_TRUE(soft) << softness;
+        EXPECT_LT(missed(p.program, soft->reflectance), 1e-11) << softness;
+        const double sum = sum_of(p.weight, soft->reflectance);
+        EXPECT_GT(sum, before) << softness;
+        EXPECT_LT(sum, greatest) << softness;
+        before = sum;
+    }
+    EXPECT_NEAR(before, greatest, 1e-4);
+}
+
+} // namespace
+} // namespace metamer
