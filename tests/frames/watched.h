@@ -60,7 +60,7 @@ inline Program edited_program(const Variant& variant, const FragmentEdits& edits
     for (const Edit& edit : edits.others)
         replace(fragment.text, edit.from, edit.to);
     if (edits.watched) {
-        const std::string chosen = "precision mediump float;\n#endif\n";
+        const std::string chosen = "precision mediump sampler2D;\n#endif\n";
         replace(fragment.text, chosen, chosen + std::string(kWatch));
         replace(fragment.text, "return vec4(code, 1.0);", "seen(code); return vec4(vec3(all_numbers), 1.0);");
     }

@@ -52,10 +52,10 @@ std::vector<test::GlslangInput> inputs_of(const std::vector<Stages>& all) {
     return inputs;
 }
 
-/// A method's variants, or, of no method, the shadow pass.
+/// A method's variants, or, of no method, the shadow pass and laid pictures.
 std::vector<ShaderVariant> variants_of(MethodChoice method) {
     if (!method)
-        return {shadow_variant()};
+        return {shadow_variant(), picture_variant(false), picture_variant(true)};
     std::vector<ShaderVariant> variants;
     for (const Variant& variant : all_variants())
         if (variant.method == *method)
@@ -114,7 +114,7 @@ std::vector<MethodChoice> parts() {
 }
 
 std::string part_name(const testing::TestParamInfo<MethodChoice>& info) {
-    return info.param ? std::string(method_name(*info.param)) : "shadow";
+    return info.param ? std::string(method_name(*info.param)) : "passes";
 }
 
 class VariantsInContext : public test::GlTest, public testing::WithParamInterface<MethodChoice> {};
@@ -187,10 +187,10 @@ TEST_P(VariantsAsText, StayWithinTheBudgetsOfEs2AndKeepTheRulesOfTheHouse) {
         expect_within_the_budgets(stages);
         EXPECT_THAT(test::broken_rules(Stage::vertex, stages.vertex_tokens), IsEmpty());
         EXPECT_THAT(test::broken_rules(Stage::fragment, stages.fragment_tokens), IsEmpty());
-        EXPECT_NE(
-            stages.fragment.text.find("#ifdef GL_FRAGMENT_PRECISION_HIGH\nprecision highp float;\n#else\n"
-                                      "precision mediump float;\n#endif\n"),
-            std::string::npos)
+        EXPECT_NE(stages.fragment.text.find("#ifdef GL_FRAGMENT_PRECISION_HIGH\nprecision highp float;\n"
+                                            "precision highp sampler2D;\n#else\nprecision mediump float;\n"
+                                            "precision mediump sampler2D;\n#endif\n"),
+                  std::string::npos)
             << "does not choose its precision";
         EXPECT_EQ(stages.vertex.text.find("#extension"), std::string::npos);
         EXPECT_EQ(stages.fragment.text.find("#extension"), std::string::npos);
