@@ -10,9 +10,11 @@ namespace metamer {
 
 namespace {
 /// Every GL extension that the program has a use for.
-constexpr std::array<std::string_view, 2> kKnownGlExtensions = {
+constexpr std::array<std::string_view, 4> kKnownGlExtensions = {
     "GL_OES_rgb8_rgba8",           // framebuffer.cpp: RGBA8 renderbuffers
     "GL_EXT_disjoint_timer_query", // timer_query.cpp: the GPU's own clock
+    "GL_EXT_robustness",           // window/sdl_stage.cpp: whether the context was lost
+    "GL_KHR_robustness",           // the same, by its later name
 };
 
 bool switched_off() {

@@ -1,6 +1,7 @@
 // Where the kiosk plays: a surface with an OpenGL ES 2 context, events, a clock.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,7 +18,7 @@ public:
     /// negative: forever). While there is no display it goes on waiting for one.
     virtual std::vector<Event> wait(double most_s) = 0;
 
-    /// Wakes wait() from another thread with this event (quit, reload, files changed).
+    /// Wakes wait(), from any thread, with this event (quit, reload, files changed).
     virtual void post(const Event& event) = 0;
 
     /// The framebuffer's own size: what glViewport takes, before rotation.
@@ -40,7 +41,8 @@ public:
     virtual bool context_lost() = 0;
 
     /// Makes window and context anew: after a loss. Every GL object made before is gone and must have been
-    /// destroyed or abandoned by its owner already. Throws no_gl.
+    /// destroyed or abandoned by its owner already. A size that came out different is wait()'s to tell.
+    /// Throws no_gl.
     virtual void rebuild() = 0;
 
     /// Seconds of a steady clock.
@@ -55,11 +57,15 @@ struct WindowOptions {
     int rotation_deg = 0;            ///< clockwise
     double diagonal_in = 0;          ///< of the screen; 0: as the display says
     bool wait_for_display = false;   ///< where there is no display: wait for one instead of throwing
-    std::string title;
+    /// Asked ten times a second while that waits, with the last try's error (a try a second); false: gives
+    /// up. The place to tell systemd that the process is alive.
+    std::function<bool(const std::string& error)> still_waiting{};
+    std::string title = "Metamer";
 };
 
 /// By SDL2: KMSDRM, Wayland, X11, whatever SDL finds (SDL_VIDEODRIVER chooses). Throws no_gl: `cannot open a
-/// window: ...` with what was tried.
+/// window: DRIVER: CAUSE; DRIVER: CAUSE` with what was tried. Returns none where still_waiting gave up. One
+/// at a time, for the thread that made it; SDL installs no signal handlers, and neither sound nor joysticks.
 std::unique_ptr<Stage> open_window(const WindowOptions& options);
 
 } // namespace metamer

@@ -1,8 +1,8 @@
 // A stage without any screen: for tests and soak runs. Time and events are scripted.
 #pragma once
 
-#include <deque>
 #include <functional>
+#include <mutex>
 #include <optional>
 
 #include "gles/framebuffer.h"
@@ -11,8 +11,9 @@
 
 namespace metamer {
 
-/// Its clock goes on only by
-/// advance() and by wait(), which returns at once and lets its time pass.
+/// Its clock goes on only by advance() and by wait(), which returns at once: with the events that are there,
+/// or, where there are none even after the script ran, with nothing and its time passed (none, where it would
+/// wait forever: the script must post an end). The framebuffer has a depth buffer, as a window has.
 class SurfacelessStage : public Stage {
 public:
     SurfacelessStage(int width_px, int height_px, int rotation_deg = 0, double px_per_mm = 4);
@@ -33,8 +34,10 @@ public:
     /// Called by wait() when no event is queued: posts what comes next, or nothing to let the time pass.
     void on_idle(std::function<void()> script) { script_ = std::move(script); }
     void advance(double seconds) { now_s_ += seconds; }
-    /// From the next call on, context_lost() says so until rebuild().
-    void lose_context() { lost_ = true; }
+    /// From now on context_lost() says so, and the next wait() once, until rebuild(). The context itself goes
+    /// on: what is drawn is lost only with rebuild().
+    void lose_context();
+    /// Another surface, before rotation; wait() tells the picture's size.
     void resize(int width_px, int height_px);
 
     long frames_shown() const { return frames_; }
@@ -42,11 +45,14 @@ public:
     std::vector<std::uint8_t> read_rgba() const;
 
 private:
+    std::vector<Event> take_events();
+
     int width_px_, height_px_, rotation_deg_;
     double px_per_mm_, now_s_ = 0;
     bool lost_ = false;
     long frames_ = 0;
-    std::deque<Event> events_;
+    std::mutex mutex_; ///< guards events_
+    std::vector<Event> events_;
     std::function<void()> script_;
     std::optional<Surfaceless> context_;
     std::optional<Framebuffer> target_;

@@ -1,0 +1,61 @@
+// The stage that a visitor sees.
+#pragma once
+
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+
+#include "window/sdl_input.h"
+#include "window/sdl_window.h"
+#include "window/stage.h"
+
+namespace metamer {
+
+/// What open_window() opens.
+class SdlStage : public Stage {
+public:
+    explicit SdlStage(const WindowOptions& options);
+    ~SdlStage() override;
+
+    /// False: WindowOptions::still_waiting said so. Throws no_gl.
+    bool open();
+
+    std::vector<Event> wait(double most_s) override;
+    void post(const Event& event) override;
+    int surface_width_px() const override { return surface_.width_px; }
+    int surface_height_px() const override { return surface_.height_px; }
+    int rotation_deg() const override { return options_.rotation_deg; }
+    double px_per_mm() const override { return px_per_mm_; }
+    void bind() override;
+    void show() override;
+    bool context_lost() override;
+    void rebuild() override;
+    double now_s() const override;
+    std::string driver() const override;
+
+private:
+    using ResetStatus = unsigned (*)();
+
+    void try_open();
+    bool measure();
+    void take(const SDL_Event& event, std::vector<Event>& events);
+    void tell_size(std::vector<Event>& events);
+    void take_pending(std::vector<Event>& events);
+    void sleep(double most_s, std::vector<Event>& events);
+
+    WindowOptions options_;
+    std::mutex video_;                  ///< held while SDL's video comes or goes: post() is another thread's
+    std::unique_ptr<SdlWindow> window_; ///< none only while there is no display
+    std::optional<SdlInput> input_;
+    PxSize surface_;
+    double px_per_mm_ = 0;
+    ResetStatus reset_status_ = nullptr; ///< glGetGraphicsResetStatus, where it is there
+    bool sleeps_in_sdl_ = false;         ///< the driver waits for events without polling
+    bool lost_ = false, loss_told_ = false, resized_ = false;
+
+    std::mutex mutex_; ///< guards posted_
+    std::condition_variable woken_;
+    std::vector<Event> posted_;
+};
+
+} // namespace metamer

@@ -1,0 +1,75 @@
+#include "window/surfaceless_stage.h"
+
+#include <GLES2/gl2.h>
+#include <algorithm>
+#include <utility>
+
+#include "window/rotation.h"
+
+namespace metamer {
+
+SurfacelessStage::SurfacelessStage(int width_px, int height_px, int rotation_deg, double px_per_mm)
+    : width_px_(width_px),
+      height_px_(height_px),
+      rotation_deg_(rotation_deg),
+      px_per_mm_(px_per_mm),
+      context_(std::in_place),
+      target_(std::in_place, width_px, height_px, DepthBuffer::depth16) {}
+
+std::vector<Event> SurfacelessStage::take_events() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(events_, {});
+}
+
+std::vector<Event> SurfacelessStage::wait(double most_s) {
+    std::vector<Event> events = take_events();
+    if (events.empty() && script_) {
+        script_();
+        events = take_events();
+    }
+    if (events.empty())
+        now_s_ += std::max(most_s, 0.0);
+    return events;
+}
+
+void SurfacelessStage::post(const Event& event) {
+    const std::lock_guard lock(mutex_);
+    events_.push_back(event);
+}
+
+void SurfacelessStage::bind() {
+    target_->bind();
+}
+
+void SurfacelessStage::show() {
+    // As a swap does: what was drawn is on its way.
+    glFlush();
+    ++frames_;
+}
+
+void SurfacelessStage::lose_context() {
+    lost_ = true;
+    post(ContextLostEvent{});
+}
+
+void SurfacelessStage::rebuild() {
+    target_.reset();
+    context_.reset();
+    context_.emplace();
+    target_.emplace(width_px_, height_px_, DepthBuffer::depth16);
+    lost_ = false;
+}
+
+void SurfacelessStage::resize(int width_px, int height_px) {
+    width_px_ = width_px;
+    height_px_ = height_px;
+    target_.emplace(width_px, height_px, DepthBuffer::depth16);
+    const PxSize picture = turned({width_px, height_px}, rotation_deg_);
+    post(ResizeEvent{picture.width_px, picture.height_px});
+}
+
+std::vector<std::uint8_t> SurfacelessStage::read_rgba() const {
+    return target_->read_rgba();
+}
+
+} // namespace metamer

@@ -1,0 +1,34 @@
+// An X server of the test's own, and hands and eyes on it.
+#pragma once
+
+#include <array>
+#include <initializer_list>
+#include <string>
+#include <sys/types.h>
+
+namespace metamer::test {
+
+/// Whether Xvfb and xdotool are there; else what is missing.
+std::string missing_for_x();
+
+/// Xvfb with one screen, from construction to destruction; DISPLAY and SDL_VIDEODRIVER lead there, and no
+/// Wayland does.
+class XScreen {
+public:
+    XScreen(int width_px, int height_px);
+    XScreen(const XScreen&) = delete;
+    XScreen& operator=(const XScreen&) = delete;
+    ~XScreen();
+
+    /// xdotool with these words.
+    void act(std::initializer_list<std::string> words) const;
+    /// What stands there on the screen: red, green, blue.
+    std::array<int, 3> pixel(int x, int y) const;
+    /// What a window manager's close button does.
+    void ask_to_close(unsigned long window) const;
+
+private:
+    pid_t server_;
+};
+
+} // namespace metamer::test
