@@ -3,13 +3,12 @@
 #include <GLES2/gl2.h>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <limits>
 #include <thread>
 
 #include "base/error.h"
 #include "gles/extensions.h"
+#include "window/sdl_setup.h"
 
 namespace metamer {
 
@@ -21,15 +20,6 @@ constexpr int kQuestionsPerTry = 10;
 /// How long input may wait where SDL can only be asked (KMSDRM): not felt, and 100 wakes a second cost
 /// little.
 constexpr double kPolled_s = 0.01;
-
-/// SDL asks D-Bus to keep the screen awake. Where no bus is there, libdbus would start one of its own
-/// (dbus-launch), which is not a kiosk's to do.
-void start_no_bus() {
-    const char* runtime = std::getenv("XDG_RUNTIME_DIR");
-    std::error_code ignored;
-    if (runtime == nullptr || !std::filesystem::exists(std::filesystem::path(runtime) / "bus", ignored))
-        setenv("DBUS_SESSION_BUS_ADDRESS", "disabled:", 0);
-}
 
 unsigned (*reset_status())() {
     for (const auto& [extension, function] : {std::pair{"GL_KHR_robustness", "glGetGraphicsResetStatusKHR"},
@@ -48,7 +38,7 @@ bool waits_for_events(const std::string& driver) {
 } // namespace
 
 SdlStage::SdlStage(const WindowOptions& options) : options_(options) {
-    start_no_bus();
+    prepare_sdl(options.width_px == 0);
     if (SDL_InitSubSystem(SDL_INIT_EVENTS) != 0)
         throw failure("open", "a window", std::string("SDL events: ") + SDL_GetError());
 }

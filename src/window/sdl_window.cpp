@@ -49,23 +49,6 @@ std::string missing(std::string_view driver) {
     throw doing + SDL_GetError();
 }
 
-void set_hints(bool fullscreen) {
-    const auto set = [](const char* hint, const char* value) {
-        SDL_SetHintWithPriority(hint, value, SDL_HINT_OVERRIDE);
-    };
-    set(SDL_HINT_NO_SIGNAL_HANDLERS, "1");        // signals are OutsideWatch's
-    set(SDL_HINT_QUIT_ON_LAST_WINDOW_CLOSE, "0"); // its own event says that already
-    set(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");        // a touch is not told a second time as a mouse
-    set(SDL_HINT_MOUSE_TOUCH_EVENTS, "0");
-    set(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "0");
-    set(SDL_HINT_VIDEO_MINIMIZE_ON_FOCUS_LOSS, "0");
-    set(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, fullscreen ? "1" : "0");
-    set(SDL_HINT_VIDEO_X11_FORCE_EGL, "1"); // the GLES that we link is EGL's
-    SDL_SetHint(SDL_HINT_APP_NAME, "Metamer");
-    SDL_SetHint("SDL_VIDEO_X11_WMCLASS", "metamer");
-    SDL_SetHint("SDL_VIDEO_WAYLAND_WMCLASS", "metamer");
-}
-
 void set_attributes(int red, int green, int blue) {
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_ES);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 2);
@@ -128,8 +111,7 @@ SdlWindow::Video::Video(const char* driver) {
     SDL_StopTextInput();
 }
 
-SdlWindow::SdlWindow(const char* driver, const WindowOptions& options)
-    : video_((set_hints(options.width_px == 0), driver)) {
+SdlWindow::SdlWindow(const char* driver, const WindowOptions& options) : video_(driver) {
     set_attributes(8, 8, 8);
     window_.reset(make_window(options));
     if (!window_) {
