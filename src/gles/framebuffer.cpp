@@ -46,7 +46,9 @@ void check_size(int width_px, int height_px, bool color_is_texture, bool sampled
 } // namespace
 
 Framebuffer::Framebuffer(int width_px, int height_px, DepthBuffer depth, ColorBuffer color)
-    : width_px_(width_px), height_px_(height_px), sampled_(color == ColorBuffer::texture) {
+    : width_px_(width_px),
+      height_px_(height_px),
+      sampled_(color == ColorBuffer::texture || color == ColorBuffer::picture) {
     const bool rgb565 = color == ColorBuffer::target_rgb565;
     const bool color_is_texture = sampled_ || (!rgb565 && !use_gl_extension("GL_OES_rgb8_rgba8"));
     check_size(width_px, height_px, color_is_texture, sampled_);
@@ -55,7 +57,7 @@ Framebuffer::Framebuffer(int width_px, int height_px, DepthBuffer depth, ColorBu
     framebuffer_ = Handle<&Framebuffer::destroy_framebuffer>(name);
     glBindFramebuffer(GL_FRAMEBUFFER, name);
     if (color_is_texture)
-        attach_color_texture();
+        attach_color_texture(color == ColorBuffer::picture ? GL_LINEAR : GL_NEAREST);
     else
         attach_color_renderbuffer(rgb565 ? GL_RGB565 : GL_RGBA8_OES);
     if (depth == DepthBuffer::depth16)
@@ -66,13 +68,13 @@ Framebuffer::Framebuffer(int width_px, int height_px, DepthBuffer depth, ColorBu
     glViewport(0, 0, width_px, height_px);
 }
 
-void Framebuffer::attach_color_texture() {
+void Framebuffer::attach_color_texture(GLint filter) {
     GLuint name = 0;
     glGenTextures(1, &name);
     color_texture_ = Handle<&Framebuffer::destroy_texture>(name);
     glBindTexture(GL_TEXTURE_2D, name);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width_px_, height_px_, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);

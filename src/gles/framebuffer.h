@@ -12,17 +12,18 @@ namespace metamer {
 enum class DepthBuffer { none, depth16 };
 
 /// `target`: only drawn into and read back; `target_rgb565`: the same with 16 bits a pixel, core ES 2 (OpenGL
-/// ES 2.0.25 table 4.5). `texture`: also sampled afterwards (shadow maps).
-enum class ColorBuffer { target, target_rgb565, texture };
+/// ES 2.0.25 table 4.5). `texture`: also sampled afterwards, texel by texel (shadow maps); `picture`: the
+/// same with a linear filter.
+enum class ColorBuffer { target, target_rgb565, texture, picture };
 
 /// An RGBA8 color buffer, with GL_DEPTH_COMPONENT16 if asked for. Move-only.
 class Framebuffer {
 public:
     /// A `target` is a renderbuffer where GL_OES_rgb8_rgba8 is there, else a texture, clamped and without
-    /// mipmaps, which core ES 2 allows at any size (OpenGL ES 2.0.25 section 3.8.2). A `texture` has
-    /// power-of-two sides, nearest filter, clamp. Throws failure: a size outside 1 .. the context's limits,
-    /// no power of two, or an incomplete framebuffer by its status's name. Leaves the new framebuffer bound;
-    /// its contents are undefined until cleared.
+    /// mipmaps, which core ES 2 allows at any size (OpenGL ES 2.0.25 section 3.8.2). A `texture`
+    /// and a `picture` have power-of-two sides, clamp. Throws failure: a size outside 1 .. the context's
+    /// limits, no power of two, or an incomplete framebuffer by its status's name. Leaves the new framebuffer
+    /// bound; its contents are undefined until cleared.
     Framebuffer(int width_px, int height_px, DepthBuffer depth = DepthBuffer::none,
                 ColorBuffer color = ColorBuffer::target);
 
@@ -30,7 +31,7 @@ public:
     void bind() const;
 
     /// Binds the color texture to texture unit GL_TEXTURE0 + unit. Throws failure unless made with
-    /// ColorBuffer::texture.
+    /// ColorBuffer::texture or picture.
     void bind_texture(int unit) const;
 
     /// width_px * height_px * 4 bytes, the top row (greatest y) first. Binds it.
@@ -43,7 +44,7 @@ private:
     static void destroy_framebuffer(GLuint framebuffer);
     static void destroy_renderbuffer(GLuint renderbuffer);
     static void destroy_texture(GLuint texture);
-    void attach_color_texture();
+    void attach_color_texture(GLint filter);
     void attach_color_renderbuffer(GLenum format);
     void attach_depth();
 

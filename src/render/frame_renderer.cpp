@@ -96,6 +96,7 @@ std::vector<glm::vec4> FrameRenderer::lamp_places() const {
 }
 
 void FrameRenderer::update() {
+    spectra_ = ExhibitSpectra(exhibit_);
     plan_ = plan_exhibit(exhibit_, spectra_, plan_.fragment_bits);
     prepare();
 }
@@ -133,28 +134,49 @@ void FrameRenderer::upload_atlases() {
         dither_ = upload(dither_table());
 }
 
-void FrameRenderer::draw(int width_px, int height_px, int scale) {
+View FrameRenderer::begin(int width_px, int height_px) const {
     glViewport(0, 0, width_px, height_px);
     glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
     glDisable(GL_DITHER); // on by default, and each driver does as it likes
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE); // closed bodies hide their backs
     clear_gray(kBackground, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const View view = view_of(scene_.camera, static_cast<double>(width_px) / height_px);
+    return view_of(scene_.camera, static_cast<double>(width_px) / height_px);
+}
+
+void FrameRenderer::end() const {
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_SCISSOR_TEST);
+    throw_on_gl_error("draw", "the frame");
+}
+
+void FrameRenderer::draw(int width_px, int height_px, int scale) {
+    const View view = begin(width_px, height_px);
     const int split = exhibit_.compare ? split_column(*exhibit_.compare, width_px / scale) * scale : width_px;
     glEnable(GL_SCISSOR_TEST);
     for (std::size_t i = 0; i < halves_.size(); ++i) {
-        const int begin = i == 0 ? 0 : split, end = i == 0 ? split : width_px;
-        if (begin == end)
+        const int left = i == 0 ? 0 : split, right = i == 0 ? split : width_px;
+        if (left == right)
             continue;
-        glScissor(begin, 0, end - begin, height_px);
-        draw_half(halves_[i], view);
+        glScissor(left, 0, right - left, height_px);
+        if (scene_.each_half)
+            glViewport(left, 0, right - left, height_px);
+        draw_half(halves_[i], scene_.each_half
+                                  ? view_of(scene_.camera, static_cast<double>(right - left) / height_px)
+                                  : view);
     }
     draw_split_line(split, height_px, scale);
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_SCISSOR_TEST);
-    throw_on_gl_error("draw", "the frame");
+    end();
     drawn_ = {width_px, height_px, scale};
+}
+
+void FrameRenderer::draw_side(std::size_t half, int width_px, int height_px) {
+    const View view = begin(width_px, height_px);
+    draw_half(halves_[std::min(half, halves_.size() - 1)], view);
+    end();
+    drawn_ = {};
 }
 
 bool FrameRenderer::draw_if_changed(int width_px, int height_px, int scale) {

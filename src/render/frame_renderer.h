@@ -27,14 +27,21 @@ public:
     /// that is given in pixels (supersampling).
     void draw(int width_px, int height_px, int scale = 1);
 
+    /// Draws one half alone over the whole frame, without a line: 0 the left, 1 the right; the only one where
+    /// nothing is compared.
+    void draw_side(std::size_t half, int width_px, int height_px);
+
     /// Takes over what a visitor changed in the exhibit's lamps (spectrum, strength; not their number, places
-    /// or shadows), methods or tolerance: plans again and uploads what follows. draw_if_changed() draws then.
+    /// or shadows), materials (not what the scene is made of), methods or tolerance: plans again and uploads
+    /// what follows. draw_if_changed() draws then.
     void update();
 
     /// Draws only where update() or another size made the last frame stale. Returns whether it drew.
     bool draw_if_changed(int width_px, int height_px, int scale = 1);
 
     const Plan& plan() const { return plan_; }
+    const Scene& scene() const { return scene_; }
+    const ExhibitSpectra& spectra() const { return spectra_; }
 
 private:
     /// An object's program and textures.
@@ -49,6 +56,8 @@ private:
 
     void prepare();
     void upload_atlases();
+    View begin(int width_px, int height_px) const;
+    void end() const;
     void draw_half(const Half& half, const View& view);
     void draw_split_line(int split_px, int height_px, int scale) const;
     std::vector<glm::vec4> lamp_places() const;

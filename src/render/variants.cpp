@@ -192,8 +192,15 @@ ShaderVariant shadow_variant() {
     return {"shadow", "shadow.vert", "shadow.frag", {}};
 }
 
+ShaderVariant picture_variant(bool fading) {
+    return {fading ? "picture-fading" : "picture",
+            "picture.vert",
+            "picture.frag",
+            {{"FADING", fading ? "1" : "0"}}};
+}
+
 std::vector<ShaderVariant> shader_variants() {
-    std::vector<ShaderVariant> out{shadow_variant()};
+    std::vector<ShaderVariant> out{shadow_variant(), picture_variant(false), picture_variant(true)};
     for (const Variant& variant : all_variants())
         out.push_back(shader_variant(variant));
     return out;

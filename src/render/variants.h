@@ -73,7 +73,7 @@ ShaderVariant shader_variant(const Variant& variant);
 /// shadows, and with as many as can be.
 std::vector<Variant> all_variants();
 
-/// The same as files and defines, the shadow pass with them.
+/// The same as files and defines, the shadow pass and laid pictures with them.
 std::vector<ShaderVariant> shader_variants();
 
 /// The files of shaders_es/, built into the program.
@@ -81,5 +81,8 @@ ShaderFiles shader_files();
 
 /// The shadow pass.
 ShaderVariant shadow_variant();
+
+/// A picture laid on the screen; `fading`: out of another.
+ShaderVariant picture_variant(bool fading);
 
 } // namespace metamer

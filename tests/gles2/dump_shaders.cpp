@@ -42,6 +42,8 @@ int main(int argc, char** argv) {
         const std::filesystem::path folder = argv[1];
         std::filesystem::create_directories(folder);
         write(folder, metamer::shadow_variant());
+        for (const bool fading : {false, true})
+            write(folder, metamer::picture_variant(fading));
         for (const metamer::Variant& variant : metamer::all_variants())
             if (!ends || is_end(variant))
                 write(folder, metamer::shader_variant(variant));
