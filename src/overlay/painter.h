@@ -13,28 +13,16 @@ namespace metamer {
 struct Picture {
     int width_px = 0, height_px = 0;
     std::vector<std::uint8_t> rgba;
+    bool text_cut = false; ///< a text did not fit even in the smallest letters and ends in an ellipsis
 };
 
 /// Paints a widget at its box's size. `unit_px`: Layout::unit_px; letters are given in units and shrink where
 /// a text would not fit: never cut without an ellipsis, never outside the box. Colors keep a contrast of 4.5
-/// to 1 (WCAG 2.1, 1.4.3); what is chosen is told by a mark and a frame besides color. Throws failure where
-/// Cairo runs out of memory.
+/// to 1 (WCAG 2.1, 1.4.3); what is chosen is told by a mark and a frame besides color. Plots have short
+/// wavelengths on the left, whatever the language. Throws failure where Cairo runs out of memory.
 Picture paint(const Widget& widget, double unit_px);
 
-/// The display's color of each interval of the grid (385 + 5 i nm), sRGB codes: monochromatic light, brought
-/// into the space at its hue, as bright as plots can be read.
-const std::vector<std::array<std::uint8_t, 3>>& wavelength_colors();
-
-/// Relative luminance of an sRGB color and the contrast of two (WCAG 2.1).
-double relative_luminance(const std::array<std::uint8_t, 3>& srgb);
-double contrast(const std::array<std::uint8_t, 3>& a, const std::array<std::uint8_t, 3>& b);
-
-/// The colors that letters and their grounds are painted in: every pair that occurs, for the test of
-/// contrast.
-struct InkOnGround {
-    const char* where;
-    std::array<std::uint8_t, 3> ink, ground;
-};
-std::vector<InkOnGround> inks_on_grounds();
+/// Whether every text of the widget stands there whole.
+bool text_fits(const Widget& widget, double unit_px);
 
 } // namespace metamer

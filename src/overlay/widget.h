@@ -45,7 +45,7 @@ struct ProductPanel {
     bool operator==(const ProductPanel&) const = default;
 };
 
-/// Rows of Part::expert_panel.
+/// Rows of Part::expert_panel; its title is the widget's text.
 struct ExpertPanel {
     std::vector<std::array<std::string, 2>> rows; ///< name, value
     bool operator==(const ExpertPanel&) const = default;

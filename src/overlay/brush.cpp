@@ -1,0 +1,192 @@
+#include "overlay/brush.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace metamer {
+
+namespace {
+
+// Debian: fonts-dejavu-core (Latin, Greek, Arabic), fonts-vlgothic (Japanese).
+constexpr const char* kFamilies = "DejaVu Sans, VL PGothic, Noto Sans";
+constexpr double kPi = std::numbers::pi;
+constexpr double kShrink = 0.95;
+
+PangoAlignment pango_align(Align align) {
+    return align == Align::left     ? PANGO_ALIGN_LEFT
+           : align == Align::center ? PANGO_ALIGN_CENTER
+                                    : PANGO_ALIGN_RIGHT;
+}
+
+PangoRectangle extents(PangoLayout* layout) {
+    PangoRectangle logical;
+    pango_layout_get_pixel_extents(layout, nullptr, &logical);
+    return logical;
+}
+
+bool fits(PangoLayout* layout, const Rect& rect, const TextStyle& style) {
+    const PangoRectangle size = extents(layout);
+    return size.width <= rect.w && size.height <= rect.h &&
+           pango_layout_get_line_count(layout) <= style.lines;
+}
+
+} // namespace
+
+Rect Rect::inset(double by_x, double by_y) const {
+    return {x + by_x, y + by_y, std::max(w - 2 * by_x, 0.0), std::max(h - 2 * by_y, 0.0)};
+}
+
+Rect Rect::cut_top(double height) {
+    height = std::min(height, h);
+    const Rect top{x, y, w, height};
+    y += height;
+    h -= height;
+    return top;
+}
+
+Rect Rect::cut_bottom(double height) {
+    height = std::min(height, h);
+    h -= height;
+    return {x, y + h, w, height};
+}
+
+Rect Brush::cut_start(Rect& from, double width) const {
+    width = std::min(width, from.w);
+    const Rect part{right_to_left_ ? from.right() - width : from.x, from.y, width, from.h};
+    if (!right_to_left_)
+        from.x += width;
+    from.w -= width;
+    return part;
+}
+
+Rect Brush::cut_end(Rect& from, double width) const {
+    width = std::min(width, from.w);
+    const Rect part{right_to_left_ ? from.x : from.right() - width, from.y, width, from.h};
+    if (right_to_left_)
+        from.x += width;
+    from.w -= width;
+    return part;
+}
+
+void Brush::color(const Srgb& color, double alpha) const {
+    cairo_set_source_rgba(cairo_, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0, alpha);
+}
+
+void Brush::round(const Rect& rect, double radius) const {
+    const double r = std::min({radius, rect.w / 2, rect.h / 2});
+    cairo_new_sub_path(cairo_);
+    cairo_arc(cairo_, rect.right() - r, rect.y + r, r, -kPi / 2, 0);
+    cairo_arc(cairo_, rect.right() - r, rect.bottom() - r, r, 0, kPi / 2);
+    cairo_arc(cairo_, rect.x + r, rect.bottom() - r, r, kPi / 2, kPi);
+    cairo_arc(cairo_, rect.x + r, rect.y + r, r, kPi, 1.5 * kPi);
+    cairo_close_path(cairo_);
+}
+
+void Brush::fill(const Rect& rect, double radius, const Tone& tone) const {
+    round(rect, radius);
+    color(tone.ground, tone.alpha);
+    cairo_fill(cairo_);
+}
+
+void Brush::frame(const Rect& rect, double radius, const Srgb& ink, double line_px) const {
+    round(rect.inset(line_px / 2), radius - line_px / 2);
+    color(ink);
+    cairo_set_line_width(cairo_, line_px);
+    cairo_stroke(cairo_);
+}
+
+void Brush::focus(const Rect& rect, double radius) const {
+    const double line_px = std::max(0.45 * unit_px_, 2.0);
+    const double dash = 2.5 * line_px;
+    frame(rect, radius, kDark, line_px);
+    cairo_set_dash(cairo_, &dash, 1, 0);
+    frame(rect, radius, {0xFF, 0xFF, 0xFF}, line_px);
+    cairo_set_dash(cairo_, nullptr, 0, 0);
+}
+
+void Brush::mark(double x, double y, double radius) const {
+    cairo_new_path(cairo_);
+    cairo_arc(cairo_, x, y, radius, 0, 2 * kPi);
+    color(kMarkTone.ground);
+    cairo_fill_preserve(cairo_);
+    color(kMarkTone.ink);
+    cairo_set_line_width(cairo_, 0.28 * radius);
+    cairo_stroke(cairo_);
+    cairo_move_to(cairo_, x - 0.42 * radius, y + 0.02 * radius);
+    cairo_line_to(cairo_, x - 0.10 * radius, y + 0.36 * radius);
+    cairo_line_to(cairo_, x + 0.46 * radius, y - 0.34 * radius);
+    cairo_set_line_cap(cairo_, CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_join(cairo_, CAIRO_LINE_JOIN_ROUND);
+    cairo_stroke(cairo_);
+}
+
+double Brush::least_px(const TextStyle& style) const {
+    constexpr double kReadable_px = 9, kLeastShare = 0.6;
+    return std::min(std::max(kReadable_px, kLeastShare * style.size * unit_px_), style.size * unit_px_);
+}
+
+TextLayout Brush::set(const std::string& text, double width_px, double size_px,
+                      const TextStyle& style) const {
+    TextLayout layout(pango_cairo_create_layout(cairo_));
+    pango_layout_set_text(layout.get(), text.data(), static_cast<int>(text.size()));
+    const bool rtl = style.own_direction ? pango_layout_get_direction(layout.get(), 0) == PANGO_DIRECTION_RTL
+                                         : right_to_left_;
+    pango_context_set_base_dir(pango_layout_get_context(layout.get()),
+                               rtl ? PANGO_DIRECTION_RTL : PANGO_DIRECTION_LTR);
+    pango_layout_context_changed(layout.get());
+    pango_layout_set_auto_dir(layout.get(), false);
+    PangoFontDescription* font = pango_font_description_from_string(kFamilies);
+    pango_font_description_set_absolute_size(font, size_px * PANGO_SCALE);
+    if (style.bold)
+        pango_font_description_set_weight(font, PANGO_WEIGHT_BOLD);
+    pango_layout_set_font_description(layout.get(), font);
+    pango_font_description_free(font);
+    pango_layout_set_alignment(layout.get(), pango_align(style.align));
+    pango_layout_set_wrap(layout.get(), PANGO_WRAP_WORD);
+    pango_layout_set_width(layout.get(), static_cast<int>(std::max(width_px, 1.0) * PANGO_SCALE));
+    return layout;
+}
+
+TextLayout Brush::fitted(const std::string& text, const Rect& rect, const TextStyle& style) {
+    const double least = least_px(style);
+    for (double size = style.size * unit_px_; size > least; size *= kShrink)
+        if (TextLayout layout = set(text, rect.w, size, style); fits(layout.get(), rect, style))
+            return layout;
+    TextLayout layout = set(text, rect.w, least, style);
+    if (!fits(layout.get(), rect, style)) {
+        note_cut();
+        pango_layout_set_wrap(layout.get(), PANGO_WRAP_WORD_CHAR);
+        pango_layout_set_ellipsize(layout.get(), PANGO_ELLIPSIZE_END);
+        pango_layout_set_height(layout.get(), -style.lines);
+        for (int lines = style.lines; lines > 1 && extents(layout.get()).height > rect.h; --lines)
+            pango_layout_set_height(layout.get(), 1 - lines);
+    }
+    return layout;
+}
+
+Rect Brush::place(PangoLayout* layout, const Rect& rect, const TextStyle& style) {
+    const PangoRectangle size = extents(layout);
+    const double spare = std::max(rect.h - size.height, 0.0);
+    return {rect.x + size.x, rect.y + (style.stand == Stand::middle ? std::floor(spare / 2) : 0),
+            static_cast<double>(size.width), static_cast<double>(size.height)};
+}
+
+void Brush::write(PangoLayout* layout, const Rect& rect, const TextStyle& style) const {
+    const Rect at = place(layout, rect, style);
+    cairo_save(cairo_);
+    cairo_rectangle(cairo_, rect.x, rect.y, rect.w, rect.h);
+    cairo_clip(cairo_);
+    color(style.ink);
+    cairo_move_to(cairo_, rect.x, at.y);
+    pango_cairo_show_layout(cairo_, layout);
+    cairo_restore(cairo_);
+}
+
+void Brush::write(const std::string& text, const Rect& rect, const TextStyle& style) {
+    if (!text.empty() && rect.w >= 1 && rect.h >= 1)
+        write(fitted(text, rect, style).get(), rect, style);
+}
+
+} // namespace metamer
