@@ -32,9 +32,8 @@ void prepare_sdl(bool fullscreen) {
     must(SDL_HINT_VIDEO_MINIMIZE_ON_FOCUS_LOSS, "0");
     must(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, fullscreen ? "1" : "0");
     must(SDL_HINT_VIDEO_X11_FORCE_EGL, "1"); // the GLES that is linked here is EGL's
+    must(SDL_HINT_VIDEO_WAYLAND_ALLOW_LIBDECOR, fullscreen ? "0" : "1"); // no frame, no frame's library
     SDL_SetHint(SDL_HINT_APP_NAME, "Metamer");
-    SDL_SetHint("SDL_VIDEO_X11_WMCLASS", "metamer");
-    SDL_SetHint("SDL_VIDEO_WAYLAND_WMCLASS", "metamer");
     start_no_bus();
 }
 

@@ -70,6 +70,7 @@ bool SdlStage::open() {
 void SdlStage::try_open() {
     const std::lock_guard lock(video_);
     window_.reset();
+    SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT); // of the old window; what was posted is in posted_
     window_ = SdlWindow::open(options_);
     input_.emplace(options_.rotation_deg, sdl_host());
     lost_ = loss_told_ = false;

@@ -37,7 +37,7 @@ std::string circumstance(std::string_view driver) {
     return {};
 }
 
-/// What makes a try pointless. libwayland would say so itself, on stderr, at every try.
+/// What makes a try pointless: libwayland would say so itself, on stderr, at every try.
 std::string missing(std::string_view driver) {
     return driver == "wayland" && !value_of("WAYLAND_DISPLAY").starts_with('/') &&
                    value_of("XDG_RUNTIME_DIR").empty()

@@ -2,6 +2,7 @@
 #include <GLES2/gl2.h>
 #include <SDL.h>
 #include <csignal>
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 #include <thread>
@@ -168,8 +169,15 @@ TEST_F(Window, DrawsInItsOwnContextWhateverSdlDoes) {
     EXPECT_EQ(eglGetCurrentContext(), own);
 }
 
+std::size_t open_files() {
+    const std::filesystem::directory_iterator files("/proc/self/fd");
+    return static_cast<std::size_t>(std::distance(begin(files), end(files)));
+}
+
 TEST_F(Window, IsRebuilt) {
     auto stage = open();
+    stage->rebuild(); // what is opened once is open now
+    const std::size_t files = open_files();
     for (int i = 0; i < 5; ++i) {
         GLuint texture = 0;
         glGenTextures(1, &texture);
@@ -177,6 +185,7 @@ TEST_F(Window, IsRebuilt) {
         stage->rebuild();
         EXPECT_FALSE(glIsTexture(texture));
         EXPECT_FALSE(stage->context_lost());
+        EXPECT_EQ(open_files(), files);
     }
     for (int i = 0; i < 1000 && screen_->pixel(7, 7) != std::array{0, 0, 255}; ++i) {
         test::show_color(*stage, 0, 0, 1);
