@@ -72,7 +72,7 @@ struct ObjectSetting {
     double shininess = 32;              ///< Blinn-Phong exponent, 1 .. 1000
 };
 
-enum class SceneKind { loaf, crayons, still_life, ramp, patches, media, corner };
+enum class SceneKind { loaf, crayons, still_life, ramp, patches, media, corner, booth };
 
 /// What one half overrides; what it does not override it shares.
 struct Half {

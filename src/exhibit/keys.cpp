@@ -93,7 +93,7 @@ constexpr KeyInfo kKeys[] = {
     {"scene", "kind", choice, "", 0, 0, 1, kind_names, "crayons", "what is shown"},
     {"scene", "materials", materials, "", 0, 0, 1, nullptr, "the scene's own",
      "material i of the list gets key i; loaf, crayons, patches: one piece each, at most 63; ramp: its two ends; "
-     "still-life: what key maps choose from"},
+     "still-life: what key maps choose from; booth: its samples, at most 12"},
 
     {"lamp.N", "spectrum", lamp, "", 0, 0, 1, nullptr, "D65", "what it emits"},
     {"lamp.N", "strength", number, "", 0, 1e6, 1, nullptr, "1", "I_source: 1 shows the perfect reflector as white"},

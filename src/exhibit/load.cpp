@@ -1,6 +1,7 @@
 #include "exhibit/load.h"
 
 #include "base/files.h"
+#include "exhibit/booth.h"
 #include "exhibit/ini.h"
 #include "exhibit/load_parts.h"
 
@@ -44,6 +45,7 @@ Exhibit build(const Settings& settings, const std::string& place, Use use,
     });
     exhibit.atlas = rows.atlas();
     exhibit.materials = rows.full_materials();
+    give_cards(exhibit);
     return exhibit;
 }
 

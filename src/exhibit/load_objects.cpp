@@ -154,7 +154,8 @@ ObjectSetting by_default(const ObjectDefault& object, const Palette& palette, Ro
     };
     ObjectSetting setting;
     setting.name = object.name;
-    setting.material = resolve(object.material);
+    if (!object.material.empty())
+        setting.material = resolve(object.material);
     if (!object.material_end.empty())
         setting.material_end = resolve(object.material_end);
     if (!object.medium.empty())

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/names.h"
+#include "exhibit/booth.h"
 
 namespace metamer {
 
@@ -20,6 +21,8 @@ constexpr SceneKindInfo kKinds[] = {
      "rgb:FFFFFF", 1, 1, true},
     {SceneKind::corner, "corner", "a colored wall and a floor that light each other",
      "crayon-red, crayon-white", 2, 2, false, true},
+    {SceneKind::booth, "booth", "a light booth: samples, and two cards that match under one lamp only",
+     "cc-orange, cc-yellow, cc-green, cc-cyan, cc-purplish-blue, cc-magenta", 1, kMostSamples},
 };
 
 std::vector<ObjectDefault> pieces(const std::string& word, std::span<const std::string> materials,
@@ -50,6 +53,14 @@ std::vector<ObjectDefault> media(const std::string& ground) {
 /// A wall and a floor, each lit by the lamps and by the other.
 std::vector<ObjectDefault> corner(const std::string& wall, const std::string& floor) {
     return {{.name = "wall", .material = wall}, {.name = "floor", .material = floor}};
+}
+
+std::vector<ObjectDefault> booth(std::span<const std::string> materials) {
+    std::vector<ObjectDefault> objects = pieces("sample", materials, 0);
+    objects.insert(objects.begin(), {.name = "interior", .material = "cc-neutral-8"});
+    objects.push_back({.name = "card-a"});
+    objects.push_back({.name = "card-b"});
+    return objects;
 }
 
 /// Warm and cool things side by side: no lamp flatters both.
@@ -98,6 +109,8 @@ std::vector<ObjectDefault> scene_objects(SceneKind kind, std::span<const std::st
         return media(materials[0]);
     case SceneKind::corner:
         return corner(materials[0], materials[1]);
+    case SceneKind::booth:
+        return booth(materials);
     }
     return {};
 }

@@ -33,7 +33,7 @@ const SceneKindInfo* find_scene_kind(std::string_view name);
 /// An object by default. Maps are never a default.
 struct ObjectDefault {
     std::string name = {};
-    std::string material = {};     ///< as [scene] materials or the library names it
+    std::string material = {};     ///< as [scene] materials or the library names it; empty: the pair's
     std::string material_end = {}; ///< ramps: at the far end; else empty
     std::string medium = {};       ///< glass or liquid; else empty
     double thickness = 1;          ///< of the medium
@@ -44,7 +44,8 @@ struct ObjectDefault {
 
 /// The objects of a scene: loaf `slice-1` .. `slice-n`, crayons `crayon-1` .. `crayon-n`, patches `patch-1`
 /// .. `patch-n`, one for each of `materials` in order; ramp: `ramp-reflectance`, `ramp-xyz`, `ramp-rgb`
-/// between materials[0] and materials[1]; still-life: its ten objects, whatever `materials` holds.
+/// between materials[0] and materials[1]; still-life: its ten objects, whatever `materials` holds;
+/// booth: `interior`, `sample-1` .. `sample-n`, `card-a` and `card-b`, whose materials give_cards() finds.
 std::vector<ObjectDefault> scene_objects(SceneKind kind, std::span<const std::string> materials);
 
 } // namespace metamer

@@ -31,6 +31,8 @@ Scene build_scene(const Exhibit& exhibit) {
         return build_media(exhibit);
     case SceneKind::corner:
         return build_corner(exhibit);
+    case SceneKind::booth:
+        return build_booth(exhibit);
     case SceneKind::patches:
         break;
     }

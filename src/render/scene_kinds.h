@@ -11,6 +11,7 @@ Scene build_still_life(const Exhibit& exhibit); ///< figures 52-53: objects on a
 Scene build_ramp(const Exhibit& exhibit);       ///< chapter 8.3: bars between two materials
 Scene build_media(const Exhibit& exhibit);      ///< a wedge of glass and a vessel before a light box
 Scene build_corner(const Exhibit& exhibit);     ///< a wall and a floor that light each other
+Scene build_booth(const Exhibit& exhibit);      ///< a gray room with samples and two cards
 Scene build_patches(const Exhibit& exhibit);    ///< a grid of flat patches
 
 } // namespace metamer

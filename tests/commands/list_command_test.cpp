@@ -86,7 +86,7 @@ TEST_F(List, SpacesMethodsAndScenesAreTakenByExhibits) {
     EXPECT_THAT(names("methods"),
                 ElementsAre("rgb", "tristimulus", "spectral", "prefiltered", "packed", "reduced", "folded"));
     EXPECT_THAT(names("scenes"),
-                ElementsAre("loaf", "crayons", "still-life", "ramp", "patches", "media", "corner"));
+                ElementsAre("loaf", "crayons", "still-life", "ramp", "patches", "media", "corner", "booth"));
     std::vector<std::string> arguments = {"check"};
     const auto add = [&](const std::string& text) {
         const std::string name = std::to_string(arguments.size()) + ".ini";

@@ -104,7 +104,7 @@ TEST(LoadErrors, Lamps) {
 TEST(LoadErrors, SceneAndObjects) {
     expect_messages({
         {"[scene]\nkind = loaff\n", "2: kind = loaff is none of loaf, crayons, still-life, ramp, patches, "
-                                    "media, corner; did you mean \"loaf\"?"},
+                                    "media, corner, booth; did you mean \"loaf\"?"},
         {"[scene]\nmaterials = crayon-rod\n",
          "2: materials = crayon-rod: the library has no such material; did you mean \"crayon-red\"?"},
         {"[scene]\nmaterials = cc-red, crayon-rod\n",
