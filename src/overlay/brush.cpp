@@ -32,6 +32,47 @@ bool fits(PangoLayout* layout, const Rect& rect, const TextStyle& style) {
            pango_layout_get_line_count(layout) <= style.lines;
 }
 
+/// Errors quote whatever bytes a file held: what is no UTF-8 becomes U+FFFD, which Pango does itself, but
+/// not without a word on stderr.
+std::string well_formed(const std::string& bytes) {
+    const std::unique_ptr<gchar, decltype(&g_free)> text(
+        g_utf8_make_valid(bytes.data(), static_cast<gssize>(bytes.size())), g_free);
+    return text.get();
+}
+
+/// By the first letter (Unicode UAX 9, rules P2 and P3): Hebrew, Arabic and their neighbors read from the
+/// right.
+bool reads_from_right(const std::string& text, bool without_letters) {
+    for (const char* at = text.c_str(); *at != '\0'; at = g_utf8_next_char(at)) {
+        const gunichar letter = g_utf8_get_char(at);
+        if (g_unichar_isalpha(letter))
+            return (letter >= 0x0590 && letter <= 0x08FF) || (letter >= 0xFB1D && letter <= 0xFEFC);
+    }
+    return without_letters;
+}
+
+/// As narrow as the same lines allow: the last one is no lonely word.
+void balance(PangoLayout* layout) {
+    const int lines = pango_layout_get_line_count(layout);
+    if (lines < 2)
+        return;
+    int fine = pango_layout_get_width(layout), tight = fine / lines;
+    while (fine - tight > PANGO_SCALE) {
+        const int width = tight + (fine - tight) / 2;
+        pango_layout_set_width(layout, width);
+        PangoRectangle logical;
+        pango_layout_get_extents(layout, nullptr, &logical);
+        (pango_layout_get_line_count(layout) == lines && logical.width <= width ? fine : tight) = width;
+    }
+    pango_layout_set_width(layout, fine);
+}
+
+/// Where a layout narrower than its rectangle begins.
+double layout_x(PangoLayout* layout, const Rect& rect, Align align) {
+    const double spare = rect.w - pango_layout_get_width(layout) / static_cast<double>(PANGO_SCALE);
+    return rect.x + (align == Align::left ? 0 : align == Align::center ? spare / 2 : spare);
+}
+
 } // namespace
 
 Rect Rect::inset(double by_x, double by_y) const {
@@ -123,16 +164,17 @@ void Brush::mark(double x, double y, double radius) const {
 }
 
 double Brush::least_px(const TextStyle& style) const {
-    constexpr double kReadable_px = 9, kLeastShare = 0.6;
+    constexpr double kReadable_px = 8.5, kLeastShare = 0.6;
     return std::min(std::max(kReadable_px, kLeastShare * style.size * unit_px_), style.size * unit_px_);
 }
 
-TextLayout Brush::set(const std::string& text, double width_px, double size_px,
+TextLayout Brush::set(const std::string& bytes, double width_px, double size_px,
                       const TextStyle& style) const {
     TextLayout layout(pango_cairo_create_layout(cairo_));
+    const std::string text = well_formed(bytes);
+    pango_layout_set_single_paragraph_mode(layout.get(), true);
     pango_layout_set_text(layout.get(), text.data(), static_cast<int>(text.size()));
-    const bool rtl = style.own_direction ? pango_layout_get_direction(layout.get(), 0) == PANGO_DIRECTION_RTL
-                                         : right_to_left_;
+    const bool rtl = style.own_direction ? reads_from_right(text, right_to_left_) : right_to_left_;
     pango_context_set_base_dir(pango_layout_get_context(layout.get()),
                                rtl ? PANGO_DIRECTION_RTL : PANGO_DIRECTION_LTR);
     pango_layout_context_changed(layout.get());
@@ -152,8 +194,10 @@ TextLayout Brush::set(const std::string& text, double width_px, double size_px,
 TextLayout Brush::fitted(const std::string& text, const Rect& rect, const TextStyle& style) {
     const double least = least_px(style);
     for (double size = style.size * unit_px_; size > least; size *= kShrink)
-        if (TextLayout layout = set(text, rect.w, size, style); fits(layout.get(), rect, style))
+        if (TextLayout layout = set(text, rect.w, size, style); fits(layout.get(), rect, style)) {
+            balance(layout.get());
             return layout;
+        }
     TextLayout layout = set(text, rect.w, least, style);
     if (!fits(layout.get(), rect, style)) {
         note_cut();
@@ -169,8 +213,11 @@ TextLayout Brush::fitted(const std::string& text, const Rect& rect, const TextSt
 Rect Brush::place(PangoLayout* layout, const Rect& rect, const TextStyle& style) {
     const PangoRectangle size = extents(layout);
     const double spare = std::max(rect.h - size.height, 0.0);
-    return {rect.x + size.x, rect.y + (style.stand == Stand::middle ? std::floor(spare / 2) : 0),
-            static_cast<double>(size.width), static_cast<double>(size.height)};
+    const double shift = style.stand == Stand::top      ? 0
+                         : style.stand == Stand::middle ? std::floor(spare / 2)
+                                                        : std::floor(spare);
+    return {layout_x(layout, rect, style.align) + size.x, rect.y + shift, static_cast<double>(size.width),
+            static_cast<double>(size.height)};
 }
 
 void Brush::write(PangoLayout* layout, const Rect& rect, const TextStyle& style) const {
@@ -179,7 +226,7 @@ void Brush::write(PangoLayout* layout, const Rect& rect, const TextStyle& style)
     cairo_rectangle(cairo_, rect.x, rect.y, rect.w, rect.h);
     cairo_clip(cairo_);
     color(style.ink);
-    cairo_move_to(cairo_, rect.x, at.y);
+    cairo_move_to(cairo_, layout_x(layout, rect, style.align), at.y);
     pango_cairo_show_layout(cairo_, layout);
     cairo_restore(cairo_);
 }

@@ -26,7 +26,7 @@ struct Rect {
 };
 
 enum class Align { left, center, right };
-enum class Stand { top, middle };
+enum class Stand { top, middle, bottom };
 
 /// How a text is set. `size`: of the letters' em, units; the text shrinks from there.
 struct TextStyle {
@@ -35,8 +35,8 @@ struct TextStyle {
     Align align = Align::center;
     Stand stand = Stand::middle;
     bool bold = false;
-    int lines = 2;               ///< at most
-    bool own_direction = false;  ///< by its own letters, not by the widget's language
+    int lines = 2;              ///< at most
+    bool own_direction = false; ///< by its own letters, not by the widget's language
 };
 
 struct FreeLayout {

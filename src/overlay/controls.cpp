@@ -17,7 +17,7 @@ struct Range {
 };
 
 constexpr Range kGap{0.7, 1.6};
-constexpr Range kTileHeight{12, 15}, kTileWidth{12, 16};
+constexpr Range kTileHeight{12, 15};
 constexpr Range kBarHeight{9, 11};
 constexpr double kWidestTile = 40;
 
@@ -88,17 +88,24 @@ bool arrange_bar(const Contents& contents, double width, Controls& controls) {
     return controls.bar_rows < 3 || least_width(first + 1, language, controls.gap) <= width;
 }
 
+/// From comfortable to tight: everything else first, then the width that a lamp's name has.
+struct Tightness {
+    double comfort, tile_width;
+};
+constexpr std::array<Tightness, 4> kTightnesses{{{1, 16}, {0.5, 15.5}, {0, 15}, {0, 12}}};
+
 std::optional<Controls> arrange(const ScreenSize& screen, const Contents& contents, double unit_px,
-                                double comfort) {
+                                const Tightness& tightness) {
+    const auto& [comfort, tile_width] = tightness;
     Controls c{unit_px, kGap.at(comfort), kTileHeight.at(comfort), kBarHeight.at(comfort), 0, 0, 1, 1, 0};
     const double width = screen.width_px / unit_px - 2 * c.gap, height = screen.height_px / unit_px;
     if (!arrange_bar(contents, width, c))
         return {};
     if (contents.lamps > 0) {
         const double shelf = contents.booth ? (width - c.gap) / 2 : width;
-        c.rows = ceil_div(contents.lamps, fitting(shelf, kTileWidth.at(comfort), c.gap));
+        c.rows = ceil_div(contents.lamps, fitting(shelf, tile_width, c.gap));
         c.columns = ceil_div(contents.lamps, c.rows);
-        if (shelf < kTileWidth.least)
+        if (shelf < tile_width)
             return {};
     }
     const int bars = c.bar_rows == 1 ? 1 : c.bar_rows - 1 + c.language_rows(contents.languages);
@@ -188,11 +195,10 @@ int Controls::language_rows(int languages) const {
 
 Controls arrange_controls(const ScreenSize& screen, const Contents& contents) {
     constexpr double kStep = 0.98, kSmallest_px = 0.1;
-    constexpr std::array<double, 3> kComforts{1, 0.5, 0};
     double unit_px = full_unit_px(screen);
     while (unit_px > kSmallest_px) {
-        for (const double comfort : kComforts)
-            if (const auto found = arrange(screen, contents, unit_px, comfort))
+        for (const Tightness& tightness : kTightnesses)
+            if (const auto found = arrange(screen, contents, unit_px, tightness))
                 return *found;
         unit_px *= kStep;
     }

@@ -16,8 +16,9 @@ constexpr double kHintHeight = 7, kWidestHint = 100;
 constexpr double kCaptionHeight = 12, kWidestCaption = 140;
 constexpr double kWidestPanel = 170, kHighestPanel = 78, kHighestExpert = 56;
 constexpr double kHandleWidth = 12, kHandleHeight = kCloseHeight;
-// Below this width (units) the expert's panel stands over the other things, not beside them.
-constexpr double kNarrowScene = 118;
+// Below this width (units), or where the scene is not so much wider than high, the expert's panel stands over
+// the other things, not beside them.
+constexpr double kNarrowScene = 118, kWideAspect = 1.1;
 constexpr double kPad = 2.4; ///< in the slider, at the ends of its track
 
 /// A part of the scene still free, units.
@@ -83,7 +84,7 @@ private:
 
     /// Beside what follows, or above it; leaves that in `below`.
     void place_expert(Free& below) {
-        if (free_.width() >= kNarrowScene) {
+        if (free_.width() >= std::max(kNarrowScene, kWideAspect * free_.height())) {
             const double width = std::clamp(0.34 * free_.width(), 46.0, 84.0);
             const double left = free_.right - width;
             const double bottom = std::min(free_.bottom, free_.top + kHighestExpert);
@@ -91,8 +92,8 @@ private:
             below.right = left - gap_;
             return;
         }
-        const double lines = (contents_.hint ? kHintHeight + gap_ : 0) +
-                             (contents_.caption ? kCaptionHeight + gap_ : 0);
+        const double lines =
+            (contents_.hint ? kHintHeight + gap_ : 0) + (contents_.caption ? kCaptionHeight + gap_ : 0);
         const double height = contents_.panel ? 0.42 * free_.height() : free_.height() - lines;
         const double bottom = free_.top + std::min(height, kHighestExpert);
         layout_.expert_panel = box(free_.left, free_.top, free_.right, bottom);

@@ -38,7 +38,7 @@ void bar(const Brush& brush, double from_x, double to_x, double middle_y, double
 void paint_lamp(Brush& brush, const Widget& widget, const Rect& whole) {
     const double u = brush.unit();
     paint_ground(brush, whole, widget.on);
-    Rect rest = whole.inset(1.1 * u, 1.0 * u);
+    Rect rest = whole.inset(0.8 * u, 0.8 * u);
     const Rect name = rest.cut_top(0.46 * whole.h);
     rest.cut_top(0.4 * u);
     brush.write(widget.text, name, {2.7, kTileTone.ink, Align::center, Stand::middle, widget.on, 2});
@@ -60,7 +60,7 @@ void paint_slider(Brush& brush, const Widget& widget, const Rect& whole) {
     brush.fill(whole, kCorner * u, kTileTone);
     const PxBox box{0, 0, static_cast<int>(whole.w), static_cast<int>(whole.h)};
     const PxBox track = slider_track(box, u);
-    const double y = track.top + 0.38 * track.height;
+    const double y = track.top + 0.34 * track.height;
     const auto x_of = [&](double value) {
         return track.left + (brush.right_to_left() ? 1 - value : value) * track.width;
     };
@@ -78,28 +78,25 @@ void paint_slider(Brush& brush, const Widget& widget, const Rect& whole) {
     disc(brush, x_of(value), y, 1.45 * u, widget.on ? kAmber : kWarmWhite);
     const double pad = track.left;
     const Rect words{pad, 0.7 * u, whole.w - 2 * pad, track.top - 1.1 * u};
-    brush.write(widget.text, words,
-                {2.7, kTileTone.ink, brush.start(), Stand::middle, false, 1});
+    brush.write(widget.text, words, {2.7, kTileTone.ink, brush.start(), Stand::middle, false, 1});
 }
 
 void paint_button(Brush& brush, const Widget& widget, const Rect& whole) {
     const double u = brush.unit();
     paint_ground(brush, whole, widget.on);
-    Rect words = whole.inset(1.2 * u, 0.7 * u);
-    const double radius = kMarkRadius * u;
+    const bool language = widget.part == Part::language;
+    const TextStyle style{2.7,       kTileTone.ink,    Align::center, Stand::middle,
+                          widget.on, language ? 1 : 2, language};
+    Rect words = whole.inset(1.0 * u, 0.7 * u);
     if (widget.on) {
-        const double y = whole.y + 1.35 * radius;
-        brush.mark(brush.right_to_left() ? whole.x + 1.35 * radius : whole.right() - 1.35 * radius, y,
-                   radius);
-        // One short line goes under the mark, several lines beside it.
-        if (whole.w > 20 * u)
-            words = words.inset(1.6 * u, 0);
-        else
-            words.cut_top(1.2 * u);
+        const double radius = 1.3 * u, from_edge = 1.25 * radius;
+        brush.mark(brush.right_to_left() ? whole.x + from_edge : whole.right() - from_edge,
+                   whole.y + from_edge, radius);
+        // One line stands below the mark, the first of two beside it.
+        if (pango_layout_get_line_count(brush.set(widget.text, words.w, style.size * u, style).get()) > 1)
+            words = words.inset(1.4 * u, 0);
     }
-    brush.write(widget.text, words,
-                {2.7, kTileTone.ink, Align::center, Stand::middle, widget.on, whole.w > 20 * u ? 2 : 1,
-                 widget.part == Part::language});
+    brush.write(widget.text, words, style);
 }
 
 void paint_close(Brush& brush, const Widget& widget, const Rect& whole) {

@@ -49,7 +49,7 @@ void paint_plots(Brush& brush, const ProductPanel& product, Rect rest) {
         if (i + 1 < plots.size()) {
             Rect between = brush.cut_start(rest, sign);
             between.cut_top(name);
-            between.cut_bottom(2.9 * u);
+            between.cut_bottom(kAxisHeight * u);
             paint_sign(brush, between, i == 0);
         }
     }
@@ -142,22 +142,21 @@ void paint_product(Brush& brush, const ProductPanel& product, const Rect& whole)
     Rect below = rest.cut_bottom(std::clamp(0.3 * whole.h, 10.8 * u, 19 * u));
     rest.cut_bottom(0.6 * pad);
     paint_plots(brush, product, rest);
-    paint_fields(brush, product, brush.cut_start(below, std::clamp(0.36 * below.w, 30 * u, 62 * u)));
+    paint_fields(brush, product, brush.cut_start(below, std::clamp(0.38 * below.w, 34 * u, 62 * u)));
     brush.cut_start(below, 2.2 * u);
     // The widget `close` has that corner (layout.h).
     brush.cut_end(below, std::max((kCloseWidth + kCloseInset) * u - 1.2 * pad, 0.0) + 1.6 * u);
-    brush.write(product.difference, below, {3.4, kPanelTone.ink, brush.start(), Stand::middle, true, 4});
+    const Rect words = below.cut_top(0.62 * below.h);
+    below.cut_top(0.6 * u);
+    brush.write(product.difference, words, {3.4, kPanelTone.ink, brush.start(), Stand::bottom, true, 3});
+    brush.write(product.number, below, {2.8, kPanelTone.faded, brush.start(), Stand::top, false, 1});
 }
 
 void paint_expert(Brush& brush, const ExpertPanel& expert, const std::string& title, const Rect& whole) {
     const double u = brush.unit();
-    paint_ground(brush, whole);
     Rect rest = whole.inset(2 * u, 1.4 * u);
-    if (!title.empty()) {
-        brush.write(title, rest.cut_top(4.4 * u),
-                    {2.9, kPanelTone.ink, brush.start(), Stand::middle, true, 1});
-        rest.cut_top(0.8 * u);
-    }
+    const Rect head = rest.cut_top(4.4 * u);
+    rest.cut_top(0.8 * u);
     const TextStyle name{2.5, kPanelTone.faded, brush.start(), Stand::top, false, 99};
     TextStyle value = name;
     value.ink = kPanelTone.ink;
@@ -169,6 +168,10 @@ void paint_expert(Brush& brush, const ExpertPanel& expert, const std::string& ti
         if (size <= least || height_of(rows, kRowGap * u) <= rest.h)
             break;
     }
+    // No larger than what it says.
+    const double bottom = rest.y + height_of(rows, kRowGap * u) + 1.6 * u;
+    paint_ground(brush, {whole.x, whole.y, whole.w, std::min(whole.h, bottom - whole.y)});
+    brush.write(title, head, {2.9, kPanelTone.ink, brush.start(), Stand::middle, true, 1});
     write_rows(brush, rows, rest, name, value);
 }
 

@@ -49,14 +49,17 @@ void trace(cairo_t* cairo, const Rect& rect, const Bars& bars) {
 void paint_axis(Brush& brush, const Rect& plot, const Rect& labels) {
     cairo_t* cairo = brush.cairo();
     const double width = 0.16 * plot.w;
+    const bool crowded = plot.w < 30 * brush.unit();
     for (const int nm : {400, 500, 600, 700}) {
         const double x = x_of(nm, plot);
         brush.color(kPlotTone.faded);
-        cairo_rectangle(cairo, std::floor(x), plot.bottom(), 1, std::max(0.22 * labels.h, 2.0));
+        cairo_rectangle(cairo, std::floor(x), plot.bottom(), 1, std::max(0.2 * labels.h, 2.0));
         cairo_fill(cairo);
         const bool last = nm == 700;
+        if (crowded && nm == 600) // leaves its place to `700 nm`
+            continue;
         const double left = last ? plot.right() - 2 * width : std::max(x - width / 2, plot.x);
-        const Rect at{left, labels.y + 0.22 * labels.h, last ? 2 * width : width, 0.78 * labels.h};
+        const Rect at{left, labels.y + 0.2 * labels.h, last ? 2 * width : width, 0.8 * labels.h};
         brush.write(std::to_string(nm) + (last ? "\u00a0nm" : ""), at,
                     {1.9, kPlotTone.faded, last ? Align::right : Align::center, Stand::top, false, 1, true});
     }
@@ -81,7 +84,7 @@ void paint_spectrum(const Brush& brush, const Rect& rect, const Bars& bars) {
 }
 
 void paint_plot(Brush& brush, Rect rect, const Bars& bars) {
-    const Rect labels = rect.cut_bottom(std::max(2.9 * brush.unit(), 12.0));
+    const Rect labels = rect.cut_bottom(kAxisHeight * brush.unit());
     cairo_t* cairo = brush.cairo();
     brush.fill(rect, 0, kPlotTone);
     const Rect plot = rect;

@@ -6,6 +6,8 @@
 
 namespace metamer {
 
+inline constexpr double kAxisHeight = 3.2; ///< under a plot, units
+
 /// Fills the area under the bars, short wavelengths on the left; what is not between 0 and 1 is clamped.
 void paint_spectrum(const Brush& brush, const Rect& rect, const Bars& bars);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "color/gamut.h"
 #include "color/observer.h"
 #include "color/transfer.h"
 #include "color/working_space.h"
@@ -13,7 +12,7 @@ namespace metamer {
 namespace {
 
 Srgb wavelength_color(const ColorMatching& light, double dimmed, const Matrix3& rgb_from_xyz) {
-    const LinearRgb hue = kept_hue(to_linear_rgb(rgb_from_xyz, Xyz{light.x, light.y, light.z}));
+    const LinearRgb hue = to_linear_rgb(rgb_from_xyz, Xyz{light.x, light.y, light.z});
     const double scale = dimmed / std::max({hue.r, hue.g, hue.b});
     const EncodedRgb8 code =
         encode_rgb8(Transfer::srgb, LinearRgb{scale * hue.r, scale * hue.g, scale * hue.b});

@@ -36,9 +36,9 @@ inline constexpr Tone kNoticeTone{"notice", {0x4A, 0x12, 0x0E}, 0.96, {0xFF, 0xE
 inline constexpr std::array<Tone, 8> kTones{kTileTone,  kChosenTone, kLightTone, kMarkTone,
                                             kPanelTone, kPlotTone,   kLabelTone, kNoticeTone};
 
-/// The display's color of each interval of the grid (385 + 5 i nm), sRGB codes: monochromatic light, brought
-/// into the space at its hue (gamut.h, keep_hue), as bright as the space allows, a little dimmer towards the
-/// ends of sight.
+/// The display's color of each interval of the grid (385 + 5 i nm), sRGB codes: monochromatic light, what
+/// sRGB cannot hold of it cut off, as bright as it allows, dimmer towards the ends of sight. (Mixed with gray
+/// instead, which keeps hues in the sense of gamut.h, reds look pink.)
 const std::vector<Srgb>& wavelength_colors();
 
 /// Relative luminance of an sRGB color, 0 .. 1, and the contrast of two, 1 .. 21 (WCAG 2.1).

@@ -41,7 +41,8 @@ struct ProductPanel {
     Bars lamp, material, product;
     std::array<std::uint8_t, 3> left{}, right{}; ///< sRGB codes of the two resulting colors
     std::string left_name, right_name;
-    std::string difference; ///< `ΔE 12.3: clearly another color`
+    std::string difference; ///< `clearly another color`
+    std::string number;     ///< `ΔE 12.3`
     bool operator==(const ProductPanel&) const = default;
 };
 

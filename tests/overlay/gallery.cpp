@@ -40,7 +40,8 @@ void lay_over(Image& image, const Picture& picture, const PxBox& box) {
     for (int y = 0; y < picture.height_px; ++y)
         for (int x = 0; x < picture.width_px; ++x) {
             const auto* from = &picture.rgba[static_cast<std::size_t>(4 * (y * picture.width_px + x))];
-            auto* to = &image.rgba[static_cast<std::size_t>(4 * ((box.top + y) * image.width + box.left + x))];
+            auto* to =
+                &image.rgba[static_cast<std::size_t>(4 * ((box.top + y) * image.width + box.left + x))];
             for (int c = 0; c < 3; ++c)
                 to[c] = static_cast<std::uint8_t>(from[c] + to[c] * (255 - from[3]) / 255);
         }

@@ -87,8 +87,7 @@ template <class Check>
 void for_all(Check check) {
     for (const ScreenSize& screen : screens())
         for (unsigned bits = 0; bits < 128; ++bits)
-            for (const auto& [lamps, languages] :
-                 {std::pair{12, 6}, {7, 2}, {1, 6}, {0, 1}, {12, 12}}) {
+            for (const auto& [lamps, languages] : {std::pair{12, 6}, {7, 2}, {1, 6}, {0, 1}, {12, 12}}) {
                 const Contents contents = contents_of(bits, lamps, languages);
                 check(screen, contents, lay_out(screen, contents));
                 if (testing::Test::HasFailure())
@@ -199,9 +198,11 @@ TEST(Layout, LeavesControlsWhereTheyAreWhateverLiesOverTheScene) {
 }
 
 TEST(Layout, GivesAFingerTwelveMillimetersWhereTheScreenAllows) {
-    for (const auto& [screen, lamps] :
-         {std::pair{ScreenSize{800, 480, 5.2}, 12}, {ScreenSize{480, 800, 5.2}, 9},
-          {ScreenSize{1280, 720, 5.7}, 12}, {ScreenSize{1920, 1080, 8.6}, 12}, {ScreenSize{640, 480, 0}, 12}})
+    for (const auto& [screen, lamps] : {std::pair{ScreenSize{800, 480, 5.2}, 12},
+                                        {ScreenSize{480, 800, 5.2}, 9},
+                                        {ScreenSize{1280, 720, 5.7}, 12},
+                                        {ScreenSize{1920, 1080, 8.6}, 12},
+                                        {ScreenSize{640, 480, 0}, 12}})
         for (const bool booth : {false, true}) {
             Contents contents;
             contents.lamps = lamps;

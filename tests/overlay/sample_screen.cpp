@@ -55,7 +55,8 @@ private:
     }
     std::string lamp(int index) const {
         const auto& lamps = sample_lamps();
-        return words_.name_of(sample_.language, "lamp", lamps[static_cast<std::size_t>(index) % lamps.size()]);
+        return words_.name_of(sample_.language, "lamp",
+                              lamps[static_cast<std::size_t>(index) % lamps.size()]);
     }
 
     Widget& add(Part part, const PxBox& box, const std::string& text) {
@@ -104,9 +105,10 @@ private:
 
     void add_panels() {
         ProductPanel panel;
-        panel.title = said("panel.title", {{"material", words_.name_of(sample_.language, "material",
-                                                                       "crayon-carnation-pink")},
-                                           {"lamp", lamp(sample_.chosen)}});
+        panel.title =
+            said("panel.title",
+                 {{"material", words_.name_of(sample_.language, "material", "crayon-carnation-pink")},
+                  {"lamp", lamp(sample_.chosen)}});
         panel.lamp_name = said("panel.lamp");
         panel.material_name = said("panel.material");
         panel.product_name = said("panel.product");
@@ -119,9 +121,8 @@ private:
         panel.right = {0xB4, 0x64, 0x46};
         panel.left_name = said("panel.numbers");
         panel.right_name = said("panel.wavelengths");
-        panel.difference =
-            said("panel.difference", {{"number", words_.number(sample_.language, 12.3, 1)},
-                                      {"words", said(sample_.difference)}});
+        panel.difference = said(sample_.difference);
+        panel.number = said("difference.number", {{"number", words_.number(sample_.language, 12.3, 1)}});
         add(Part::panel, screen_.layout.panel, panel.title).product = panel;
         add(Part::close, screen_.layout.close, said("button.close"));
         add(Part::expert_panel, screen_.layout.expert_panel, said("expert.title")).expert = expert();
@@ -131,10 +132,10 @@ private:
         const auto number = [&](double value, int decimals) {
             return words_.number(sample_.language, value, decimals);
         };
-        return {{{said("expert.method"), sample_.method + ": " + said("method." + sample_.method)},
+        return {{{said("expert.method"), said("method." + sample_.method)},
                  {said("expert.space"), "sRGB-D65"},
                  {said("expert.wavelengths"), "64"},
-                 {said("expert.tolerance"), said("expert.delta", {{"number", number(0.5, 1)}})},
+                 {said("expert.tolerance"), said("difference.number", {{"number", number(0.5, 1)}})},
                  {said("expert.reason"), "one color per lamp and material, summed before the frame: exact"},
                  {said("expert.frame"), said("expert.milliseconds", {{"ms", number(6.4, 1)}})}}};
     }
@@ -148,17 +149,17 @@ private:
 } // namespace
 
 const std::vector<std::string>& sample_lamps() {
-    static const std::vector<std::string> names{"D65",     "A2800",   "white-LED", "F11",
-                                                "D25000",  "krypton", "LED-RGB1",  "F2",
-                                                "NIST-LPS", "HP1",    "moonlight", "NIST-HG-H38HT-100"};
+    static const std::vector<std::string> names{"D65",      "A2800",   "white-LED", "F11",
+                                                "D25000",   "krypton", "LED-RGB1",  "F2",
+                                                "NIST-LPS", "HP1",     "moonlight", "NIST-HG-H38HT-100"};
     return names;
 }
 
 Bars sample_bars(int kind) {
     Bars bars;
     for (std::size_t i = 0; i < kIntervals; ++i)
-        bars.push_back(static_cast<float>(
-            std::clamp(sample_power(kind, kThesisGrid.wavelength_nm(i)), 0.0, 1.0)));
+        bars.push_back(
+            static_cast<float>(std::clamp(sample_power(kind, kThesisGrid.wavelength_nm(i)), 0.0, 1.0)));
     return bars;
 }
 

@@ -14,7 +14,7 @@ struct Sample {
     std::string language = "en";
     Contents contents; ///< languages and right_to_left are filled in
     double split = 0.5;
-    int chosen = 4; ///< the chosen lamp
+    int chosen = 4;                ///< the chosen lamp
     std::string method = "folded"; ///< that the expert's panel tells of
     std::string difference = "difference.other";
 };
