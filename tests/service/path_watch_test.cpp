@@ -91,6 +91,24 @@ TEST_F(PathWatchTest, WhatIsSetReplacesWhatWas) {
     EXPECT_FALSE(changed());
 }
 
+/// Months of changed lists must not use up the kernel's watches.
+TEST_F(PathWatchTest, KeepsNoWatchThatItDoesNotNeed) {
+    const auto watches = [this] {
+        std::ifstream info("/proc/self/fdinfo/" + std::to_string(watch_.descriptor()));
+        int count = 0;
+        for (std::string line; std::getline(info, line);)
+            count += line.starts_with("inotify ") ? 1 : 0;
+        return count;
+    };
+    ASSERT_TRUE(set(file_));
+    const int before = watches();
+    fs::create_directories(folder_ / "other/deep");
+    ASSERT_TRUE(set(folder_ / "other/deep/a.ini"));
+    EXPECT_EQ(watches(), before + 1);
+    ASSERT_TRUE(set(file_));
+    EXPECT_EQ(watches(), before);
+}
+
 TEST_F(PathWatchTest, SeveralInOneFolderAndInOthers) {
     fs::create_directory(folder_ / "atlas");
     const std::vector<fs::path> paths{file_, folder_ / "config/b.ini", folder_ / "atlas/a.png"};
