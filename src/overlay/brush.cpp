@@ -164,7 +164,7 @@ void Brush::mark(double x, double y, double radius) const {
 }
 
 double Brush::least_px(const TextStyle& style) const {
-    constexpr double kReadable_px = 8.5, kLeastShare = 0.6;
+    constexpr double kReadable_px = 8, kLeastShare = 0.6;
     return std::min(std::max(kReadable_px, kLeastShare * style.size * unit_px_), style.size * unit_px_);
 }
 

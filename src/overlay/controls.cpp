@@ -28,8 +28,8 @@ constexpr Range kSlider{26, 70}, kMode{24, 40}, kExpert{15, 26}, kLanguage{12, 1
 // has to stand among them.
 constexpr double kLeastScene = 53, kLeastNarrowScene = 80, kNarrow = 120;
 
-// Letters of 2.5 units keep 10 px, and a whole screen is at most so many units.
-constexpr double kLeastUnit_px = 4, kMostUnits = 170;
+// Letters of 2.5 units keep 10 px, and a whole screen's shorter side is so many units.
+constexpr double kLeastUnit_px = 4, kMostUnits = 170, kFewestUnits = 60;
 constexpr double kAssumedDiagonal_mm = 10.1 * 25.4;
 
 double full_unit_px(const ScreenSize& screen) {
@@ -37,7 +37,9 @@ double full_unit_px(const ScreenSize& screen) {
     const double known = std::isfinite(screen.px_per_mm) && screen.px_per_mm > 0
                              ? screen.px_per_mm
                              : std::hypot(width, height) / kAssumedDiagonal_mm;
-    return std::max({known, kLeastUnit_px, std::min(width, height) / kMostUnits});
+    const double shorter = std::min(width, height);
+    return std::clamp(known, std::max(kLeastUnit_px, shorter / kMostUnits),
+                      std::max(kLeastUnit_px, shorter / kFewestUnits));
 }
 
 int ceil_div(int a, int b) {

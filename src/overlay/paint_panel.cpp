@@ -59,7 +59,7 @@ void paint_plots(Brush& brush, const ProductPanel& product, Rect rest) {
 /// the scene's halves.
 void paint_fields(Brush& brush, const ProductPanel& product, Rect rest) {
     const double u = brush.unit();
-    Rect names = rest.cut_bottom(std::clamp(0.42 * rest.h, 4.4 * u, 6 * u));
+    Rect names = rest.cut_bottom(std::clamp(0.45 * rest.h, 5.8 * u, 6.5 * u));
     names.cut_top(0.4 * u);
     const double half = std::floor(rest.w / 2);
     cairo_t* cairo = brush.cairo();

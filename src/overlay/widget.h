@@ -17,7 +17,7 @@ enum class Part {
     left_label, ///< what the left half is
     right_label,
     split,        ///< the handle on the split
-    lamp,         ///< a tile of the shelf; index: of Kiosk::lamps
+    lamp,         ///< a tile of the shelf; index: of KioskSetting::lamps
     lamp_right,   ///< mode booth: the tile for the right side
     strength,     ///< slider
     mode,         ///< button: methods <-> booth
