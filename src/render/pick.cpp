@@ -13,8 +13,11 @@ struct Ray {
     glm::dvec3 from, along; ///< `along` of length 1
 };
 
-// From the near plane on: what lies before it is not drawn.
-Ray ray_through(const View& view, double x, double y) {
+// From the near plane on: what lies before it is not drawn. Clip space, where flat scenes are, grows away
+// from the eye: mirrored in z it is a space like the world, with its fronts to the eye.
+Ray ray_through(const Camera& camera, const View& view, double x, double y) {
+    if (camera.flat)
+        return {{2 * x - 1, 1 - 2 * y, 1}, {0, 0, -1}};
     const glm::dmat4 world_from_clip = glm::inverse(glm::dmat4(view.clip_from_world));
     const auto at = [&](double depth) {
         const glm::dvec4 p = world_from_clip * glm::dvec4(2 * x - 1, 1 - 2 * y, depth, 1);
@@ -29,9 +32,9 @@ struct Vertex {
     glm::dvec2 uv;
 };
 
-Vertex vertex(const MeshData& mesh, std::size_t index) {
+Vertex vertex(const MeshData& mesh, std::size_t index, bool mirrored) {
     const float* v = &mesh.vertices[index * static_cast<std::size_t>(kVertexFloats)];
-    return {{v[0], v[1], v[2]}, {v[kUvAt], v[kUvAt + 1]}};
+    return {{v[0], v[1], mirrored ? -v[2] : v[2]}, {v[kUvAt], v[kUvAt + 1]}};
 }
 
 struct Crossing {
@@ -66,22 +69,21 @@ int texel(double share, int size) {
 } // namespace
 
 std::optional<Hit> pick(const Scene& scene, const Exhibit& exhibit, double x, double y, double aspect) {
+    const bool flat = scene.camera.flat;
     const View view = view_of(scene.camera, aspect);
-    const Ray ray = ray_through(view, x, y);
-    const double to_eye = scene.camera.flat ? 0 : glm::length(ray.from - glm::dvec3(view.eye));
+    const Ray ray = ray_through(scene.camera, view, x, y);
+    const double to_eye = glm::length(ray.from - glm::dvec3(view.eye));
     std::optional<Hit> nearest;
     double least = 0;
     for (const SceneObject& object : scene.objects) {
         const auto& indices = object.mesh.indices;
+        const auto corner = [&](std::size_t i) { return vertex(object.mesh, indices[i], flat); };
         for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-            const auto at =
-                crossing(ray, vertex(object.mesh, indices[i]), vertex(object.mesh, indices[i + 1]),
-                         vertex(object.mesh, indices[i + 2]));
+            const auto at = crossing(ray, corner(i), corner(i + 1), corner(i + 2));
             if (!at || (nearest && at->way >= least))
                 continue;
             least = at->way;
-            nearest = {place_in(exhibit, object.setting), at->uv.x, at->uv.y,
-                       scene.camera.flat ? 0 : to_eye + at->way};
+            nearest = {place_in(exhibit, object.setting), at->uv.x, at->uv.y, flat ? 0 : to_eye + least};
         }
     }
     return nearest;
