@@ -10,6 +10,7 @@
 namespace metamer {
 
 void add_commands(CLI::App& app) {
+    add_run_command(app);
     add_render_command(app);
     add_measure_command(app);
     add_plan_command(app);
@@ -35,10 +36,29 @@ void warn(const std::vector<std::string>& warnings) {
         std::cerr << "metamer: warning: " << warning << '\n';
 }
 
-Exhibit load(const ExhibitArguments& arguments) {
+Exhibit at_size(ExhibitArguments arguments, const std::optional<std::string>& size,
+                const std::function<Exhibit(const ExhibitArguments&)>& load) {
+    if (!size)
+        return load(arguments);
+    const auto x = size->find_first_of("xX");
+    if (x == std::string::npos || x == 0 || x + 1 == size->size())
+        throw bad_input("read", "--size " + *size, "it must be WIDTHxHEIGHT in pixels, as in 1280x720");
+    const std::string width = "display.width=" + size->substr(0, x);
+    const std::string height = "display.height=" + size->substr(x + 1);
+    arguments.sets.insert(arguments.sets.end(), {width, height});
+    try {
+        return load(arguments);
+    } catch (const Error& error) {
+        if (error.place() == "--set " + width || error.place() == "--set " + height)
+            throw bad_input("read", "--size " + *size, error.cause());
+        throw;
+    }
+}
+
+Exhibit load(const ExhibitArguments& arguments, Use use) {
     std::vector<std::string> warnings;
-    Exhibit exhibit = arguments.path.empty() ? default_exhibit(arguments.sets, &warnings)
-                                             : load_exhibit(arguments.path, arguments.sets, &warnings);
+    Exhibit exhibit = arguments.path.empty() ? default_exhibit(arguments.sets, &warnings, use)
+                                             : load_exhibit(arguments.path, arguments.sets, &warnings, use);
     warn(warnings);
     return exhibit;
 }

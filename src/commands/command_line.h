@@ -3,11 +3,13 @@
 
 #include <CLI/App.hpp>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "exhibit/exhibit.h"
+#include "exhibit/load.h"
 
 namespace metamer {
 
@@ -19,8 +21,13 @@ struct ExhibitArguments {
 
 void add_exhibit_arguments(CLI::App& command, ExhibitArguments& arguments);
 
+/// Loads with `load` what `--size WIDTHxHEIGHT` makes of the arguments: the two keys that it stands for, so
+/// that their ranges are one. Errors of these keys name the option.
+Exhibit at_size(ExhibitArguments arguments, const std::optional<std::string>& size,
+                const std::function<Exhibit(const ExhibitArguments&)>& load);
+
 /// Loads it; doubts go to stderr as `metamer: warning: ...`.
-Exhibit load(const ExhibitArguments& arguments);
+Exhibit load(const ExhibitArguments& arguments, Use use = Use::frame);
 
 /// Prints warnings as load() does.
 void warn(const std::vector<std::string>& warnings);

@@ -8,6 +8,7 @@ namespace metamer {
 /// Registers every command with its options; parsing runs the one that was asked for. They throw Error.
 void add_commands(CLI::App& app);
 
+void add_run_command(CLI::App& app);
 void add_render_command(CLI::App& app);
 void add_measure_command(CLI::App& app);
 void add_plan_command(CLI::App& app);

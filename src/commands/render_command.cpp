@@ -23,29 +23,9 @@ struct Options {
     bool table = false;
 };
 
-// `--size 1280x720` becomes the two keys that it stands for, so that their ranges are one.
-Exhibit load_at_size(const Options& options) {
-    if (!options.size)
-        return load(options.exhibit);
-    const std::string& size = *options.size;
-    const auto x = size.find_first_of("xX");
-    if (x == std::string::npos || x == 0 || x + 1 == size.size())
-        throw bad_input("read", "--size " + size, "it must be WIDTHxHEIGHT in pixels, as in 1280x720");
-    const std::string width = "display.width=" + size.substr(0, x);
-    const std::string height = "display.height=" + size.substr(x + 1);
-    ExhibitArguments sized = options.exhibit;
-    sized.sets.insert(sized.sets.end(), {width, height});
-    try {
-        return load(sized);
-    } catch (const Error& error) {
-        if (error.place() == "--set " + width || error.place() == "--set " + height)
-            throw bad_input("read", "--size " + size, error.cause());
-        throw;
-    }
-}
-
 void run(const Options& options) {
-    const Exhibit exhibit = load_at_size(options);
+    const Exhibit exhibit =
+        at_size(options.exhibit, options.size, [](const ExhibitArguments& sized) { return load(sized); });
     check_output(options.output);
     const std::string table = options.table ? half_table(exhibit) : "";
     const Surfaceless context;

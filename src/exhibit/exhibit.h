@@ -92,13 +92,15 @@ struct Compare {
 
 struct Exhibit {
     std::string place; ///< the INI file, for messages
+    /// Every file that it was read from: the INI, atlas, maps, spectra, folder of strings.
+    std::vector<std::filesystem::path> files;
     Display display;
     Accuracy accuracy;
     SceneKind scene = SceneKind::loaf;
     std::vector<ObjectSetting> objects;
     std::vector<LampSetting> lamps;
     std::optional<Compare> compare;
-    Kiosk kiosk;
+    KioskSetting kiosk;
     Atlas atlas; ///< every lamp and material in use; the file's own rows where [atlas] file names one
     std::map<int, Material> materials; ///< by key: those whose spectrum is at hand at full resolution
 };

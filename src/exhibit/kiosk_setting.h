@@ -20,7 +20,7 @@ inline constexpr int kMostTourSteps = 64;
 
 /// [tour.N]: one step of the tour.
 struct TourStep {
-    std::optional<std::size_t> lamp; ///< of Kiosk::lamps; none: as the step before
+    std::optional<std::size_t> lamp; ///< of KioskSetting::lamps; none: as the step before
     std::optional<double> split;     ///< likewise
     /// The exhibit with the step's own materials, without tour; none: as the step before.
     std::shared_ptr<const Exhibit> scene;
@@ -37,7 +37,7 @@ struct NightHours {
 };
 
 /// [kiosk]
-struct Kiosk {
+struct KioskSetting {
     double idle_s = 60;             ///< without a touch, until the tour runs
     std::string language = "en";    ///< that the exhibit starts with
     std::filesystem::path strings;  ///< the folder of the languages; empty: the program's own

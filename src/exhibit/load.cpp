@@ -1,6 +1,8 @@
 #include "exhibit/load.h"
 
 #include "base/files.h"
+#include "base/names.h"
+#include "base/numbers.h"
 #include "exhibit/booth.h"
 #include "exhibit/ini.h"
 #include "exhibit/load_parts.h"
@@ -24,6 +26,20 @@ Setting unwritten(std::string_view section, std::string_view key, const std::str
 
 namespace {
 
+// What a value names that is a file: all of it, or pieces with commas between, `#column` aside.
+void add_files(const Setting& setting, std::vector<std::filesystem::path>& files) {
+    using enum ValueKind;
+    const ValueKind kind = setting.info->kind;
+    if (kind != file && kind != lamp && kind != lamps && kind != material && kind != materials)
+        return;
+    for (const std::string& piece : metamer::split(setting.value, ',')) {
+        const std::string_view name = trimmed(std::string_view(piece).substr(0, piece.find('#')));
+        std::error_code unreadable; // then it is no file of ours
+        if (!name.empty() && std::filesystem::exists(setting.folder / name, unreadable))
+            files.push_back(setting.folder / name);
+    }
+}
+
 Exhibit build(const Settings& settings, const std::string& place, Use use,
               std::vector<std::string>* warnings) {
     Exhibit exhibit;
@@ -45,6 +61,7 @@ Exhibit build(const Settings& settings, const std::string& place, Use use,
     });
     exhibit.atlas = rows.atlas();
     exhibit.materials = rows.full_materials();
+    settings.each([&](const Setting& setting) { add_files(setting, exhibit.files); });
     give_cards(exhibit);
     return exhibit;
 }
@@ -63,7 +80,9 @@ Exhibit load_exhibit(const std::filesystem::path& path, const std::vector<std::s
                      std::vector<std::string>* warnings, Use use) {
     const std::filesystem::path folder =
         path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    return parse_exhibit(read_file(path, kMostBytes), path.string(), folder, sets, warnings, use);
+    Exhibit exhibit = parse_exhibit(read_file(path, kMostBytes), path.string(), folder, sets, warnings, use);
+    exhibit.files.insert(exhibit.files.begin(), path);
+    return exhibit;
 }
 
 Exhibit default_exhibit(const std::vector<std::string>& sets, std::vector<std::string>* warnings, Use use) {

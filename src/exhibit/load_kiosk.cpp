@@ -58,7 +58,7 @@ std::vector<LampSetting> shelf(const Setting& setting, Rows& rows) {
     return lamps;
 }
 
-std::size_t on_shelf(const Setting& setting, const Kiosk& kiosk, Rows& rows) {
+std::size_t on_shelf(const Setting& setting, const KioskSetting& kiosk, Rows& rows) {
     const int key = rows.lamp(setting, setting.value).key;
     const auto found = std::ranges::find(kiosk.lamps, key, &LampSetting::key);
     if (found == kiosk.lamps.end())
@@ -66,7 +66,8 @@ std::size_t on_shelf(const Setting& setting, const Kiosk& kiosk, Rows& rows) {
     return static_cast<std::size_t>(found - kiosk.lamps.begin());
 }
 
-TourStep load_step(const Settings& settings, const std::string& section, const Kiosk& kiosk, Rows& rows) {
+TourStep load_step(const Settings& settings, const std::string& section, const KioskSetting& kiosk,
+                   Rows& rows) {
     TourStep step;
     if (const Setting* s = settings.find(section, "lamp"))
         step.lamp = on_shelf(*s, kiosk, rows);
@@ -97,7 +98,7 @@ std::vector<std::string> tour_sections(const Settings& settings) {
     return sections;
 }
 
-void load_tour(const Settings& settings, Rows& rows, Kiosk& kiosk,
+void load_tour(const Settings& settings, Rows& rows, KioskSetting& kiosk,
                const std::function<std::shared_ptr<const Exhibit>(const Setting&)>& with_materials) {
     std::map<std::string, std::shared_ptr<const Exhibit>> scenes;
     for (const std::string& section : tour_sections(settings)) {
@@ -111,7 +112,7 @@ void load_tour(const Settings& settings, Rows& rows, Kiosk& kiosk,
     }
 }
 
-void load_screen(const Settings& settings, Kiosk& kiosk) {
+void load_screen(const Settings& settings, KioskSetting& kiosk) {
     if (const Setting* s = settings.find("display", "fullscreen"))
         kiosk.fullscreen = yes_no(*s);
     if (const Setting* s = settings.find("display", "rotation"))
@@ -122,9 +123,9 @@ void load_screen(const Settings& settings, Kiosk& kiosk) {
 
 } // namespace
 
-Kiosk load_kiosk(const Settings& settings, Rows& rows, bool with_shelf, const std::string& place,
-                 const std::function<std::shared_ptr<const Exhibit>(const Setting&)>& with_materials) {
-    Kiosk kiosk;
+KioskSetting load_kiosk(const Settings& settings, Rows& rows, bool with_shelf, const std::string& place,
+                        const std::function<std::shared_ptr<const Exhibit>(const Setting&)>& with_materials) {
+    KioskSetting kiosk;
     load_screen(settings, kiosk);
     if (const Setting* s = settings.find("kiosk", "idle_s"))
         kiosk.idle_s = number(*s);

@@ -48,10 +48,10 @@ std::vector<LampSetting> load_lamps(const Settings& settings, const SceneKindInf
 std::optional<Compare> load_compare(const Settings& settings, const Display& display, Rows& rows);
 
 /// [kiosk], the keys of [display] that only `metamer run` reads, and all [tour.N]. The shelf's lamps get rows
-/// after all others: where the exhibit says something of kiosk or tour, or `with_shelf`. `with_materials` gives
-/// the exhibit of a tour step's materials.
-Kiosk load_kiosk(const Settings& settings, Rows& rows, bool with_shelf, const std::string& place,
-                 const std::function<std::shared_ptr<const Exhibit>(const Setting&)>& with_materials);
+/// after all others: where the exhibit says something of kiosk or tour, or `with_shelf`. `with_materials`
+/// gives the exhibit of a tour step's materials.
+KioskSetting load_kiosk(const Settings& settings, Rows& rows, bool with_shelf, const std::string& place,
+                        const std::function<std::shared_ptr<const Exhibit>(const Setting&)>& with_materials);
 
 /// A setting that nobody wrote: the table's default, or what stands for it. Errors name the exhibit as their
 /// place.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,12 @@ public:
 
     /// A copy without the sections that fit a pattern.
     Settings without(std::string_view pattern) const;
+
+    /// Every setting, in order of appearance.
+    void each(const std::function<void(const Setting&)>& visit) const {
+        for (const Setting& setting : settings_)
+            visit(setting);
+    }
 
     /// All settings of a section, in order of appearance.
     std::vector<const Setting*> of(std::string_view section) const;

@@ -13,6 +13,9 @@ Program build_program(const ShaderVariant& variant) {
                     compose_shader(variant.fragment, variant.defines, shader_files()), kMeshAttributes);
     program.set("u_clip_from_world", glm::mat4(1));
     program.set("u_shadow_from_world", glm::mat4(1));
+    program.set("u_place", glm::vec4(0, 0, 1, 1));
+    program.set("u_turn", glm::vec4(1, 0, 0, 1));
+    program.set("u_share", 1.0f);
     if (!draws(program))
         throw failure("draw with", std::string(kShaderFolder) + variant.fragment,
                       "the driver accepts " + variant.name +

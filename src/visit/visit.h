@@ -63,6 +63,9 @@ public:
     /// as it is there; a tour begins again at the next tick.
     void take_over(const Exhibit& exhibit);
 
+    /// The state is this again: what was wished since could not be shown.
+    void put_back(const VisitState& state) { state_ = state; }
+
     /// When tick() has something to do next: the earliest of idle, the tour's next step, the next change of
     /// day and night (a minute from now at most, where there is a night).
     double next_s() const;

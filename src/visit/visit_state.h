@@ -23,14 +23,14 @@ struct Seen {
 
 struct VisitState {
     Mode mode = Mode::methods;
-    /// Of Kiosk::lamps, the spectrum of every lamp; none: each lamp's own, as the INI says.
+    /// Of KioskSetting::lamps, the spectrum of every lamp; none: each lamp's own, as the INI says.
     std::optional<std::size_t> lamp;
     double strength = 1;      ///< factor on every lamp's own strength, kLeastStrength .. kMostStrength
     double split = 0.5;       ///< 0 .. 1
     std::optional<Seen> seen; ///< whose panel is open
     std::string language = "en";
     bool expert = false;
-    /// Mode booth: the lamps of both sides, of Kiosk::lamps.
+    /// Mode booth: the lamps of both sides, of KioskSetting::lamps.
     std::size_t booth_left = 0, booth_right = 0;
 
     bool operator==(const VisitState&) const = default;

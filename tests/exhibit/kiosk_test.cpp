@@ -14,7 +14,7 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(KioskSettings, DefaultsAreTheTables) {
-    const Kiosk kiosk = exhibit_of("[kiosk]\n").kiosk;
+    const KioskSetting kiosk = exhibit_of("[kiosk]\n").kiosk;
     EXPECT_EQ(kiosk.idle_s, 60);
     EXPECT_EQ(kiosk.language, "en");
     EXPECT_TRUE(kiosk.strings.empty());
@@ -44,7 +44,7 @@ TEST(KioskSettings, NoShelfWhereNobodyAsks) {
 }
 
 TEST(KioskSettings, AreTakenOver) {
-    const Kiosk kiosk =
+    const KioskSetting kiosk =
         exhibit_of("[display]\nfullscreen = no\nrotation = 270\ndiagonal = 7\n"
                    "[kiosk]\nidle_s = 20\nlanguage = pt-BR\nstrings = words\nlamps = F2, D65\n"
                    "booth.left = f2\nbooth.right = D65\nnight = 22:00 - 06:30\npixel_shift = 0\n"
@@ -67,7 +67,7 @@ TEST(KioskSettings, AreTakenOver) {
 }
 
 TEST(KioskSettings, AShelfOfOneIsEnough) {
-    const Kiosk kiosk = exhibit_of("[kiosk]\nlamps = F2\n").kiosk;
+    const KioskSetting kiosk = exhibit_of("[kiosk]\nlamps = F2\n").kiosk;
     EXPECT_EQ(kiosk.booth_left, 0u);
     EXPECT_EQ(kiosk.booth_right, 0u);
 }

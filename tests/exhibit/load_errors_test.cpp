@@ -62,9 +62,8 @@ TEST(LoadErrors, Display) {
 
 TEST(LoadErrors, KeysOfLaterIssuesAreUnknown) {
     expect_messages({
-        {"[display]\nfullscreen = yes\n", "2: unknown key \"fullscreen\" in [display]"},
         {"[display]\nicc = a.icc\n", "2: unknown key \"icc\" in [display]"},
-        {"[kiosk]\nidle_s = 3\n", "1: unknown section [kiosk]"},
+        {"[sky]\nhour = 3\n", "1: unknown section [sky]"},
     });
 }
 

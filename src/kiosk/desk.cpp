@@ -1,0 +1,225 @@
+#include "kiosk/desk.h"
+
+#include <algorithm>
+
+#include "kiosk/product.h"
+
+namespace metamer {
+
+namespace {
+
+/// Fills a desk in from facts.
+class DeskBuilder {
+public:
+    explicit DeskBuilder(const Facts& facts)
+        : facts_(facts),
+          state_(facts.visit->state()),
+          language_(facts.words->language(facts.visit->state().language)) {}
+
+    Desk build();
+
+private:
+    std::string say(const char* key, const std::map<std::string, std::string>& values = {}) const {
+        return facts_.words->text(language_.code, key, values);
+    }
+    Widget& add(Part part, const PxBox& box, std::string text, int index = 0);
+    Contents contents() const;
+    void add_halves();
+    void add_shelf(Part part, const std::vector<PxBox>& boxes, std::optional<std::size_t> chosen);
+    void add_strength();
+    void add_buttons();
+    void add_panels();
+
+    const Facts& facts_;
+    const VisitState& state_;
+    const Language& language_;
+    std::optional<ProductPanel> product_;
+    Desk desk_;
+};
+
+Widget& DeskBuilder::add(Part part, const PxBox& box, std::string text, int index) {
+    static Widget nowhere;
+    if (box.width <= 0 || box.height <= 0)
+        return nowhere = {};
+    Widget& widget = desk_.widgets.emplace_back();
+    widget.part = part;
+    widget.index = index;
+    widget.box = box;
+    widget.text = std::move(text);
+    widget.right_to_left = language_.right_to_left;
+    widget.focused = facts_.focus == Focus{part, index};
+    return widget;
+}
+
+Contents DeskBuilder::contents() const {
+    const bool visitor = facts_.visit->phase() == Phase::visitor;
+    Contents contents;
+    contents.lamps = static_cast<int>(facts_.shelf->kiosk.lamps.size());
+    contents.languages = static_cast<int>(facts_.words->languages().size());
+    contents.booth = state_.mode == Mode::booth;
+    contents.panel = product_.has_value();
+    contents.expert = state_.expert;
+    contents.caption = !facts_.visit->caption().empty();
+    contents.hint = !contents.caption && !(visitor && contents.panel);
+    contents.notice = !facts_.notice.empty();
+    contents.right_to_left = language_.right_to_left;
+    return contents;
+}
+
+void DeskBuilder::add_halves() {
+    const auto name = [&](std::size_t half) {
+        return half_name(*facts_.exhibit, *facts_.plan, half, HalfName::full, *facts_.words, language_.code);
+    };
+    const bool booth = state_.mode == Mode::booth;
+    const bool same = booth && state_.booth_left == state_.booth_right;
+    std::string left = name(0), right = name(facts_.plan->halves.size() - 1);
+    if (booth) {
+        left += "\n" + say("booth.match");
+        right += "\n" + say(same ? "booth.match" : "booth.part");
+    }
+    if (facts_.plan->halves.size() > 1 && (booth || state_.split > 0))
+        add(Part::left_label, desk_.layout.left_label, left).touchable = false;
+    if (booth || state_.split < 1)
+        add(Part::right_label, desk_.layout.right_label, right).touchable = false;
+    if (!booth && facts_.plan->halves.size() > 1)
+        add(Part::split, split_handle(desk_.layout, state_.split), say("split.handle")).value = state_.split;
+}
+
+void DeskBuilder::add_shelf(Part part, const std::vector<PxBox>& boxes, std::optional<std::size_t> chosen) {
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const LampSetting& lamp = facts_.shelf->kiosk.lamps[i];
+        Widget& tile = add(part, boxes[i], facts_.words->name_of(language_.code, "lamp", lamp.lamp.name),
+                           static_cast<int>(i));
+        tile.on = chosen == i;
+        tile.bars = lamp_bars(facts_.shelf->atlas, lamp.key);
+    }
+}
+
+void DeskBuilder::add_strength() {
+    const std::string factor =
+        facts_.words->number(language_.code, state_.strength, state_.strength < 9.95 ? 1 : 0);
+    add(Part::strength, desk_.layout.strength, say("slider.strength", {{"factor", factor}})).value =
+        slider_of_strength(state_.strength);
+}
+
+void DeskBuilder::add_buttons() {
+    const bool booth = state_.mode == Mode::booth;
+    add(Part::mode, desk_.layout.mode, say(booth ? "button.methods" : "button.booth"));
+    add(Part::expert, desk_.layout.expert, say("button.expert")).on = state_.expert;
+    const std::vector<Language>& all = facts_.words->languages();
+    for (std::size_t i = 0; i < desk_.layout.languages.size() && i < all.size(); ++i)
+        add(Part::language, desk_.layout.languages[i], all[i].name, static_cast<int>(i)).on =
+            all[i].code == language_.code;
+}
+
+void DeskBuilder::add_panels() {
+    const std::string caption = facts_.visit->caption();
+    const bool booth = state_.mode == Mode::booth;
+    const bool visitor = facts_.visit->phase() == Phase::visitor;
+    add(Part::caption, desk_.layout.caption, caption).touchable = false;
+    add(Part::hint, desk_.layout.hint,
+        say(!visitor ? "hint.start"
+            : booth  ? "hint.booth"
+                     : "hint.methods"))
+        .touchable = false;
+    if (state_.expert) {
+        const ExpertPanel expert = expert_panel(facts_);
+        Widget& widget = add(Part::expert_panel, desk_.layout.expert_panel, say("expert.title"));
+        widget.expert = expert;
+        widget.touchable = false;
+    }
+    if (product_) {
+        Widget& panel = add(Part::panel, desk_.layout.panel,
+                            product_->title + ". " + product_->number + ": " + product_->difference);
+        panel.product = product_;
+        add(Part::close, desk_.layout.close, say("button.close"));
+    }
+    add(Part::notice, desk_.layout.notice, facts_.notice).touchable = false;
+}
+
+Desk DeskBuilder::build() {
+    if (facts_.visit->phase() == Phase::night)
+        return {};
+    if (state_.seen)
+        product_ = product_panel(*facts_.exhibit, *facts_.plan, *facts_.spectra, *state_.seen, *facts_.words,
+                                 language_.code);
+    desk_.layout = lay_out(facts_.screen, contents());
+    const bool booth = state_.mode == Mode::booth;
+    add_halves();
+    add_shelf(Part::lamp, desk_.layout.lamps, booth ? std::optional(state_.booth_left) : state_.lamp);
+    if (booth)
+        add_shelf(Part::lamp_right, desk_.layout.lamps_right, state_.booth_right);
+    add_strength();
+    add_buttons();
+    add_panels();
+    return std::move(desk_);
+}
+
+std::string wavelengths(const ObjectPlan& plan) {
+    switch (plan.method) {
+    case Method::spectral:
+    case Method::packed:
+        return std::to_string(kIntervals);
+    case Method::reduced:
+        return std::to_string(plan.taps.wavelength_nm.size());
+    case Method::folded:
+        return std::to_string(kReferenceGrid.count);
+    default:
+        return "3";
+    }
+}
+
+} // namespace
+
+const Widget* Desk::at(double x_px, double y_px) const {
+    const auto found = std::find_if(widgets.rbegin(), widgets.rend(), [&](const Widget& widget) {
+        return widget.touchable && widget.box.contains(x_px, y_px);
+    });
+    return found == widgets.rend() ? nullptr : &*found;
+}
+
+const Widget* Desk::find(Part part, int index) const {
+    const auto found = std::find_if(widgets.begin(), widgets.end(), [&](const Widget& widget) {
+        return widget.part == part && widget.index == index;
+    });
+    return found == widgets.end() ? nullptr : &*found;
+}
+
+ExpertPanel expert_panel(const Facts& facts) {
+    const VisitState& state = facts.visit->state();
+    const std::string& language = state.language;
+    const auto say = [&](const char* key, const std::map<std::string, std::string>& values = {}) {
+        return facts.words->text(language, key, values);
+    };
+    const std::size_t object =
+        state.seen && state.seen->object < facts.exhibit->objects.size() ? state.seen->object : 0;
+    const auto both = [&](auto value) {
+        std::string left = value(facts.plan->halves.front()), right = value(facts.plan->halves.back());
+        return left == right ? left : left + " | " + right;
+    };
+    ExpertPanel panel;
+    panel.rows.push_back({say("expert.method"), both([&](const HalfPlan& half) {
+                              return std::string(method_name(half.objects[object].method));
+                          })});
+    panel.rows.push_back({say("expert.space"), both([&](const HalfPlan& half) {
+                              const WorkingSpace* own =
+                                  half.view.half ? half.view.half->working_space : nullptr;
+                              return std::string((own ? own : facts.exhibit->display.working_space)->name);
+                          })});
+    panel.rows.push_back({say("expert.wavelengths"),
+                          both([&](const HalfPlan& half) { return wavelengths(half.objects[object]); })});
+    panel.rows.push_back(
+        {say("expert.tolerance"),
+         say("expert.delta", {{"number", facts.words->number(language, facts.plan->tolerance, 2)}})});
+    panel.rows.push_back({say("expert.reason"), facts.plan->halves.back().objects[object].why});
+    panel.rows.push_back(
+        {say("expert.frame"),
+         say("expert.milliseconds", {{"ms", facts.words->number(language, facts.frame_ms, 1)}})});
+    return panel;
+}
+
+Desk make_desk(const Facts& facts) {
+    return DeskBuilder(facts).build();
+}
+
+} // namespace metamer

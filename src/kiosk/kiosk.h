@@ -1,0 +1,95 @@
+// The kiosk: one turn after another of waiting, acting, drawing what changed.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kiosk/desk.h"
+#include "kiosk/hands.h"
+#include "kiosk/picture_watch.h"
+#include "kiosk/show.h"
+#include "overlay/words.h"
+#include "service/log.h"
+#include "window/stage.h"
+
+namespace metamer {
+
+/// What the kiosk is made of, loaded together so that it is taken over together or not at all.
+struct Loaded {
+    Exhibit exhibit; ///< for Use::kiosk
+    Words words;
+};
+
+struct KioskParts {
+    Stage* stage;                                  ///< not owned
+    Log* log;                                      ///< not owned
+    std::function<std::unique_ptr<Loaded>()> load; ///< throws bad_input; called at start and for each reload
+    std::function<void(const Loaded&)> loaded;     ///< after each load that is taken over (watches its files)
+    std::function<int()> minute_of_day;            ///< local time, 0 .. 1439
+    std::function<void(const std::string&)> describe; ///< what is on the screen, as JSON, whenever it changed
+};
+
+class Kiosk {
+public:
+    /// Loads, draws and shows the first frame. Throws what loading and drawing throw.
+    explicit Kiosk(KioskParts parts);
+    ~Kiosk();
+
+    /// Waits for what comes next, at most `most_s`, and does it. Returns false when it is time to end.
+    /// Throws failure where the picture stays wrong after everything was made anew, no_gl where the context
+    /// does not come back.
+    bool turn(double most_s = 1e9);
+
+    const Visit& visit() const { return *visit_; }
+    const Desk& desk() const { return desk_; }
+    const std::string& notice() const { return notice_; }
+    const Show& show() const { return *show_; }
+    long rebuilds() const { return rebuilds_; }
+
+private:
+    void take(const Event& event);
+    void act(const std::optional<Action>& action);
+    void reload();
+    void rebuild(const std::string& why);
+    void look_at_the_picture();
+    void refresh();
+    bool stage_scene();
+    void lay_desk();
+    bool move_split_only(const VisitState& before);
+    void draw();
+    void describe() const;
+    double due_s() const;
+    Within within();
+    std::optional<Seen> seen_at(double x_px, double y_px) const;
+    PxSize picture() const;
+    int margin_px() const;
+    Shift shift() const;
+    ScreenSize screen() const;
+
+    KioskParts parts_;
+    std::unique_ptr<Loaded> loaded_;
+    std::optional<Visit> visit_;
+    std::optional<Show> show_;
+    std::optional<PictureWatch> watch_;
+    Hands hands_;
+    Desk desk_;
+    std::vector<Seen> objects_; ///< of the scene on show, for the keyboard
+    VisitState laid_;           ///< what the desk was laid for
+    VisitState good_;           ///< the last state whose scene could be drawn
+    Phase laid_phase_ = Phase::visitor;
+    std::optional<Focus> laid_focus_;
+    std::string notice_;
+    Shift shown_shift_;
+    double watched_s_ = 0, frame_end_s_ = 0;
+    long rebuilds_ = 0;
+    int wrong_looks_ = 0;
+    int laid_step_ = -1;
+    bool stale_ = true; ///< the desk must be laid anew
+    bool dirty_ = true; ///< a frame must be shown
+    bool ends_ = false, display_ = true;
+};
+
+} // namespace metamer

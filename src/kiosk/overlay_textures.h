@@ -1,0 +1,35 @@
+// Widgets on the GPU: each is painted again only when it looks different.
+#pragma once
+
+#include <map>
+#include <span>
+#include <utility>
+
+#include "kiosk/compositor.h"
+#include "overlay/painter.h"
+
+namespace metamer {
+
+class OverlayTextures {
+public:
+    /// Paints what changed since the last call and forgets what is no longer there. Returns whether anything
+    /// has to be shown anew: looks or places.
+    bool update(std::span<const Widget> widgets, double unit_px);
+
+    /// Lays all of them, in their order.
+    void lay(Compositor& compositor, std::span<const Widget> widgets) const;
+
+    void drop() { painted_.clear(); }
+    long paintings() const { return paintings_; } ///< so far: for tests
+
+private:
+    struct Painted {
+        Widget widget;
+        double unit_px = 0;
+        Texture texture;
+    };
+    std::map<std::pair<Part, int>, Painted> painted_;
+    long paintings_ = 0;
+};
+
+} // namespace metamer

@@ -1,0 +1,28 @@
+// The picture watchdog: a known patch, drawn, read back, and held against the CPU twin.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "exhibit/exhibit.h"
+#include "gles/framebuffer.h"
+#include "render/frame_renderer.h"
+
+namespace metamer {
+
+/// Needs a current context; goes before it.
+class PictureWatch {
+public:
+    PictureWatch();
+
+    /// What is wrong, as one sentence: `spectral shows 12 34 56 where 80 90 20 belongs`, `GL: out of memory`;
+    /// empty where all is well. A color may be 2 steps off. Leaves another framebuffer bound.
+    std::string look();
+
+private:
+    Exhibit exhibit_; ///< two patches under one lamp, by the loop and by sums on the CPU
+    FrameRenderer renderer_;
+    Framebuffer target_;
+};
+
+} // namespace metamer

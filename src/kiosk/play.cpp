@@ -1,0 +1,102 @@
+#include "kiosk/play.h"
+
+#include <GLES2/gl2.h>
+#include <bit>
+#include <cmath>
+
+#include "gles/texture.h"
+
+namespace metamer {
+
+namespace {
+
+int power_of_two(int px) {
+    return static_cast<int>(std::bit_ceil(static_cast<unsigned>(px)));
+}
+
+// Supersampled only where a texture has room for it.
+int scale_for(PxSize side, int asked) {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    most = std::min<GLint>(most, kMostTexturePx);
+    return side.width_px * asked <= most && side.height_px * asked <= most ? asked : 1;
+}
+
+} // namespace
+
+Play::Play(Exhibit exhibit, bool side_by_side) : exhibit_(std::move(exhibit)), side_by_side_(side_by_side) {}
+
+void Play::change(const std::function<void(Exhibit&)>& edit) {
+    edit(exhibit_);
+    changed_ = true;
+}
+
+PxSize Play::side_size(PxSize scene) const {
+    return {side_by_side_ ? (scene.width_px + 1) / 2 : scene.width_px, scene.height_px};
+}
+
+bool Play::draw(PxSize scene) {
+    const PxSize size = side_size(scene);
+    if (drawn_ == size && !changed_)
+        return false;
+    if (!renderer_)
+        renderer_.emplace(exhibit_);
+    else if (changed_)
+        renderer_->update();
+    changed_ = false;
+    scale_ = scale_for(size, exhibit_.display.supersample);
+    const int width = size.width_px * scale_, height = size.height_px * scale_;
+    const std::size_t sides = renderer_->plan().halves.size();
+    for (std::size_t i = 0; i < sides; ++i) {
+        std::optional<Framebuffer>& side = sides_[i];
+        if (!side || side->width_px() != power_of_two(width) || side->height_px() != power_of_two(height))
+            side.emplace(power_of_two(width), power_of_two(height), DepthBuffer::depth16,
+                         ColorBuffer::picture);
+        side->bind();
+        renderer_->draw_side(i, width, height);
+    }
+    if (sides == 1)
+        sides_[1].reset();
+    drawn_ = size;
+    return true;
+}
+
+// From share to share of a side's width.
+Patch Play::patch(double from, double to) const {
+    const auto texture_width = static_cast<float>(sides_[0]->width_px()),
+               texture_height = static_cast<float>(sides_[0]->height_px());
+    const auto width = static_cast<float>(drawn_.width_px * scale_) / texture_width,
+               height = static_cast<float>(drawn_.height_px * scale_) / texture_height;
+    return {width * static_cast<float>(from), 0, width * static_cast<float>(to - from), height};
+}
+
+void Play::lay(Compositor& compositor, const PxBox& box, double split, const Patch& before,
+               float share) const {
+    const int column = static_cast<int>(std::lround(split * box.width));
+    const double at = static_cast<double>(column) / box.width;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const PxBox part = i == 0 ? PxBox{box.left, box.top, column, box.height}
+                                  : PxBox{box.left + column, box.top, box.width - column, box.height};
+        if (part.width == 0)
+            continue;
+        const double from = i == 0 ? 0 : at, to = i == 0 ? at : 1;
+        (sides_[i] ? sides_[i] : sides_[0])->bind_texture(kPictureUnit);
+        const Patch shown =
+            side_by_side_ ? patch(0, static_cast<double>(part.width) / drawn_.width_px) : patch(from, to);
+        if (share >= 1) {
+            compositor.lay(part, shown);
+            continue;
+        }
+        const Patch old{before.left + before.width * static_cast<float>(from), before.bottom,
+                        before.width * static_cast<float>(to - from), before.height};
+        compositor.fade(part, shown, old, share);
+    }
+}
+
+void Play::drop() {
+    renderer_.reset();
+    sides_ = {};
+    drawn_ = {};
+}
+
+} // namespace metamer

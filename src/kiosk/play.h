@@ -1,0 +1,56 @@
+// A scene on the stage: its two sides as pictures, drawn again only when something changed.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+
+#include "gles/framebuffer.h"
+#include "kiosk/compositor.h"
+#include "render/frame_renderer.h"
+#include "window/rotation.h"
+
+namespace metamer {
+
+/// Its GL objects come with the first draw and go with drop().
+class Play {
+public:
+    /// `side_by_side`: each side shows the whole scene in half of the width, as a booth does; else both fill
+    /// it, and a split parts them.
+    Play(Exhibit exhibit, bool side_by_side);
+
+    /// Changes the exhibit's lamps, strengths, materials, methods; not its objects' number or scene. What
+    /// follows is planned and drawn with the next draw().
+    void change(const std::function<void(Exhibit&)>& edit);
+
+    /// Draws what is stale; returns whether anything was. `scene`: the box's size that the scene fills.
+    /// Throws what FrameRenderer throws. Leaves another framebuffer bound.
+    bool draw(PxSize scene);
+
+    /// Lays the scene on the box, right of `split` (0 .. 1) the right side; out of `before`, a picture of the
+    /// same box bound to kBeforeUnit, where `share` < 1.
+    void lay(Compositor& compositor, const PxBox& box, double split, const Patch& before, float share) const;
+
+    /// Forgets all GL objects: before the context goes.
+    void drop();
+
+    const Exhibit& exhibit() const { return exhibit_; }
+    bool side_by_side() const { return side_by_side_; }
+    /// After the first draw().
+    const FrameRenderer& renderer() const { return *renderer_; }
+    bool ready() const { return renderer_.has_value(); }
+
+private:
+    PxSize side_size(PxSize scene) const;
+    Patch patch(double from, double to) const;
+
+    Exhibit exhibit_;
+    bool side_by_side_;
+    std::optional<FrameRenderer> renderer_;
+    std::array<std::optional<Framebuffer>, 2> sides_;
+    PxSize drawn_; ///< of one side; 0: nothing yet
+    int scale_ = 1;
+    bool changed_ = false;
+};
+
+} // namespace metamer

@@ -1,0 +1,154 @@
+#include "kiosk/show.h"
+
+#include <GLES2/gl2.h>
+#include <bit>
+#include <chrono>
+#include <cmath>
+
+#include "exhibit/booth.h"
+#include "visit/visit_state.h"
+
+namespace metamer {
+
+namespace {
+
+/// Code values: the ground of the controls (the painter's), and the line over the split.
+constexpr float kGround = 20 / 255.0f, kLine = 0.85f;
+
+VisitState state_of(const Cue& cue) {
+    VisitState state;
+    state.lamp = cue.lamp;
+    state.strength = cue.strength;
+    return state;
+}
+
+// Objects keep their places in memory: scenes point to their settings.
+void take_over(const Exhibit& fresh, Exhibit& drawn) {
+    for (std::size_t i = 0; i < drawn.objects.size(); ++i)
+        drawn.objects[i].material = fresh.objects[i].material;
+    drawn.lamps = fresh.lamps;
+    drawn.compare = fresh.compare;
+    drawn.atlas = fresh.atlas;
+    drawn.materials = fresh.materials;
+}
+
+Exhibit booth_of(const Exhibit& exhibit, const Cue& cue) {
+    return booth_exhibit(exhibit, exhibit.kiosk.lamps[cue.booth_left], exhibit.kiosk.lamps[cue.booth_right]);
+}
+
+bool only_brightness(Cue a, const Cue& b) {
+    a.strength = b.strength;
+    return a == b;
+}
+
+} // namespace
+
+Cue cue_of(const Visit& visit) {
+    const VisitState& state = visit.state();
+    return {state.mode, visit.scene(), state.lamp, state.strength, state.booth_left, state.booth_right};
+}
+
+Show::Show(const Exhibit& exhibit) : exhibit_(exhibit), own_(exhibit, false) {}
+
+Play& Show::play_for(const Cue& cue) {
+    if (cue.mode == Mode::booth) {
+        if (!booth_)
+            booth_.emplace(booth_of(exhibit_, cue), true);
+        return *booth_;
+    }
+    if (!cue.scene)
+        return own_;
+    if (toured_ != cue.scene) {
+        tour_.emplace(*cue.scene, false);
+        toured_ = cue.scene;
+    }
+    return *tour_;
+}
+
+void Show::light(Play& play, const Cue& cue) const {
+    play.change([&](Exhibit& drawn) {
+        if (cue.mode == Mode::methods) {
+            apply(state_of(cue), cue.scene ? *cue.scene : exhibit_, drawn);
+            return;
+        }
+        take_over(booth_of(exhibit_, cue), drawn);
+        for (LampSetting& lamp : drawn.lamps)
+            lamp.strength *= cue.strength;
+    });
+}
+
+void Show::keep_old_picture(PxSize scene, double split) {
+    const auto power_of_two = [](int px) {
+        return static_cast<int>(std::bit_ceil(static_cast<unsigned>(px)));
+    };
+    const int width = power_of_two(scene.width_px), height = power_of_two(scene.height_px);
+    if (!before_ || before_->width_px() != width || before_->height_px() != height)
+        before_.emplace(width, height, DepthBuffer::none, ColorBuffer::picture);
+    before_->bind();
+    glViewport(0, 0, scene.width_px, scene.height_px);
+    compositor_.begin(scene, 0, {});
+    current_->lay(compositor_, {0, 0, scene.width_px, scene.height_px}, split, {}, 1);
+    before_patch_ = {0, 0, static_cast<float>(scene.width_px) / static_cast<float>(width),
+                     static_cast<float>(scene.height_px) / static_cast<float>(height)};
+}
+
+bool Show::stage(const Cue& cue, PxSize scene, double now_s) {
+    const bool another = !cue_ || !(*cue_ == cue);
+    const bool fades = another && cue_ && !only_brightness(*cue_, cue);
+    if (fades)
+        keep_old_picture(scene, current_->side_by_side() ? 0.5 : last_split_);
+    const auto began = std::chrono::steady_clock::now();
+    bool drew = false;
+    try {
+        Play& play = play_for(cue);
+        if (another)
+            light(play, cue);
+        drew = play.draw(scene);
+        current_ = &play;
+    } catch (...) {
+        // Back to what worked: the caller stages it again.
+        if (cue_) {
+            current_ = &play_for(*cue_);
+            light(*current_, *cue_);
+        }
+        throw;
+    }
+    if (drew) {
+        glFinish();
+        frame_ms_ =
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count();
+    }
+    if (fades)
+        fade_began_s_ = now_s;
+    cue_ = cue;
+    return drew || fades;
+}
+
+bool Show::paint(const Desk& desk) {
+    return overlay_.update(desk.widgets, desk.layout.unit_px);
+}
+
+void Show::compose(const Desk& desk, PxSize picture, int rotation_deg, Shift shift, double split,
+                   double now_s, bool dark) {
+    if (dark) {
+        compositor_.begin(picture, rotation_deg, {});
+        return;
+    }
+    compositor_.begin(picture, rotation_deg, {});
+    compositor_.fill({0, 0, picture.width_px, picture.height_px}, kGround);
+    compositor_.shift(shift);
+    const double at = current_->side_by_side() ? 0.5 : split;
+    last_split_ = at;
+    const PxBox& scene = desk.layout.scene;
+    if (before_)
+        before_->bind_texture(kBeforeUnit);
+    const auto share = static_cast<float>(fade(now_s - fade_began_s_));
+    current_->lay(compositor_, scene, at, before_patch_, before_ ? share : 1);
+    const int column = scene.left + static_cast<int>(std::lround(at * scene.width));
+    const int width = std::max(2, static_cast<int>(std::lround(desk.layout.unit_px / 3)));
+    if (at > 0 && at < 1)
+        compositor_.fill({column - width / 2, scene.top, width, scene.height}, kLine);
+    overlay_.lay(compositor_, desk.widgets);
+}
+
+} // namespace metamer
