@@ -210,7 +210,7 @@ ExpertPanel expert_panel(const Facts& facts) {
                           both([&](const HalfPlan& half) { return wavelengths(half.objects[object]); })});
     panel.rows.push_back(
         {say("expert.tolerance"),
-         say("expert.delta", {{"number", facts.words->number(language, facts.plan->tolerance, 2)}})});
+         say("difference.number", {{"number", facts.words->number(language, facts.plan->tolerance, 2)}})});
     panel.rows.push_back({say("expert.reason"), facts.plan->halves.back().objects[object].why});
     panel.rows.push_back(
         {say("expert.frame"),
