@@ -71,12 +71,14 @@ void DeskBuilder::add_halves() {
         return half_name(*facts_.exhibit, *facts_.plan, half, HalfName::full, *facts_.words, language_.code);
     };
     const bool booth = state_.mode == Mode::booth;
-    const bool same = booth && state_.booth_left == state_.booth_right;
-    std::string left = name(0), right = name(facts_.plan->halves.size() - 1);
-    if (booth) {
-        left += "\n" + say("booth.match");
-        right += "\n" + say(same ? "booth.match" : "booth.part");
-    }
+    const auto card = [&](const char* key, std::size_t lamp) {
+        const std::string& lamp_name = facts_.shelf->kiosk.lamps[lamp].lamp.name;
+        return say(key, {{"lamp", facts_.words->name_of(language_.code, "lamp", lamp_name)}});
+    };
+    const bool same = state_.booth_left == state_.booth_right;
+    const std::string left = booth ? card("booth.match", state_.booth_left) : name(0);
+    const std::string right = booth ? card(same ? "booth.match" : "booth.part", state_.booth_right)
+                                    : name(facts_.plan->halves.size() - 1);
     if (facts_.plan->halves.size() > 1 && (booth || state_.split > 0))
         add(Part::left_label, desk_.layout.left_label, left).touchable = false;
     if (booth || state_.split < 1)
