@@ -84,3 +84,14 @@ jobs_at_once() {
     [ "$memory" -ge 1 ] || memory=1
     echo $((cores < memory ? cores : memory))
 }
+
+# display_here [SYS] [TERMINAL]: where a window can be tried: `desktop`, `console` (this terminal is the machine's own,
+# and a screen is plugged in), or nothing.
+display_here() {
+    local sys=${1:-/sys} terminal=${2:-$(tty 2>/dev/null)}
+    if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
+        echo desktop
+    elif [[ $terminal =~ ^/dev/tty[0-9]+$ ]] && grep -qsx connected "$sys"/class/drm/*/status; then
+        echo console
+    fi
+}

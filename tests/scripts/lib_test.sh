@@ -68,6 +68,20 @@ expect "nothing missing" "" "$(printf 'cmake build x\n' >"$scratch/tree/scripts/
 rm "$scratch/bin/dpkg-query"
 expect_has "no dpkg" "taking for granted" "$(PATH=$scratch/bin in_lib "install_packages build")"
 
+# screen STATUS [TERMINAL] [VARIABLE=VALUE]: where a window is tried with one connector in this state.
+screen() {
+    mkdir -p "$scratch/sys/class/drm/card0-HDMI-A-1"
+    echo "$1" >"$scratch/sys/class/drm/card0-HDMI-A-1/status"
+    env -u DISPLAY -u WAYLAND_DISPLAY "${3:-A=B}" bash -c \
+        "set -euo pipefail; . '$scripts/lib.sh'; display_here '$scratch/sys' '${2:-/dev/tty1}'"
+}
+expect "a console with a screen" console "$(screen connected)"
+expect "a console without one" "" "$(screen disconnected)"
+expect "a terminal that is not the machine's own" "" "$(screen connected /dev/pts/3)"
+expect "no terminal at all" "" "$(screen connected "not a tty")"
+expect "X" desktop "$(screen disconnected /dev/pts/3 DISPLAY=:0)"
+expect "Wayland" desktop "$(screen disconnected /dev/pts/3 WAYLAND_DISPLAY=wayland-0)"
+
 expect "every package has a group and a reason" "" \
-    "$(awk '!/^#/ && (NF < 3 || $2 !~ /^(build|run|test|ci|bench)$/)' "$scripts/packages")"
+    "$(awk '!/^#/ && (NF < 3 || $2 !~ /^(build|run|test|ci|bench|docs|package)$/)' "$scripts/packages")"
 done_expecting
