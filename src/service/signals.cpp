@@ -54,19 +54,17 @@ int checked(int descriptor, const char* call) {
 class Burst {
 public:
     void change(Clock::time_point now) {
-        if (!first_)
-            first_ = now;
-        last_ = now;
+        if (!due_)
+            latest_ = now + kMost;
+        due_ = std::min(now + kQuiet, latest_);
     }
-    void end() { first_.reset(); }
+    void end() { due_.reset(); }
     /// When it is to be told; none: nothing changed.
-    std::optional<Clock::time_point> due() const {
-        return first_ ? std::optional(std::min(last_ + kQuiet, *first_ + kMost)) : std::nullopt;
-    }
+    const std::optional<Clock::time_point>& due() const { return due_; }
 
 private:
-    std::optional<Clock::time_point> first_;
-    Clock::time_point last_;
+    std::optional<Clock::time_point> due_;
+    Clock::time_point latest_;
 };
 
 } // namespace
