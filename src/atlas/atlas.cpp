@@ -125,6 +125,16 @@ LampLevels weighted_levels(const Lamp& lamp) {
     return lamp_levels(power);
 }
 
+std::vector<PriorLamp> own_lamps(const Atlas& atlas, std::span<const Lamp> lamps) {
+    std::vector<PriorLamp> own;
+    for (const Lamp& lamp : lamps)
+        if (const int key = key_of_name(atlas.lamps, lamp.name))
+            own.push_back(own_lamp(lamp_power(lamp.spectrum),
+                                   row_values(atlas_row(atlas, key, AtlasChannel::lamp)),
+                                   1.0 / static_cast<double>(lamps.size())));
+    return own;
+}
+
 } // namespace
 
 AtlasRow atlas_row(const Atlas& atlas, int row, AtlasChannel channel) {
@@ -161,10 +171,10 @@ int add_lamp(Atlas& atlas, const Lamp& lamp) {
     return add(atlas, atlas.lamps, AtlasChannel::lamp, "lamp", entry, levels.level);
 }
 
-int add_material(Atlas& atlas, const Material& material) {
+int add_material(Atlas& atlas, const Material& material, std::span<const Lamp> lit_by) {
     const MaterialLevels levels = atlas.quantization == Quantization::thesis
                                       ? MaterialLevels{quantized(sample_material(material.spectrum).value), 1}
-                                      : material_levels(material.spectrum);
+                                      : material_levels(material.spectrum, own_lamps(atlas, lit_by));
     const AtlasMaterial entry{material.name, material.source, levels.scale};
     return add(atlas, atlas.materials, AtlasChannel::material, "material", entry, levels.level);
 }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -64,8 +65,11 @@ Atlas empty_atlas(Quantization quantization = Quantization::weighted);
 /// Throws bad_input if they differ, when all 63 rows are taken, for a name that is empty or holds control
 /// characters, and for a lamp whose k' is 0: `weighted`, at 1 nm, 360 .. 830 nm; `thesis`, on the grid with
 /// the 8-bit observer.
+///
+/// `lit_by`: lamps that the material will be seen under, of this atlas already: `weighted` levels then make
+/// up for what rounding did to those lamps too; other lamps still count.
 int add_lamp(Atlas& atlas, const Lamp& lamp);
-int add_material(Atlas& atlas, const Material& material);
+int add_material(Atlas& atlas, const Material& material, std::span<const Lamp> lit_by = {});
 
 /// The key of a name (case aside) or, when nothing has that name, of a key written as a number; 0 when there
 /// is none.

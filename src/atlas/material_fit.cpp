@@ -42,7 +42,7 @@ void add_lamp_error(QuadraticForm& form, RowValues& h, const PriorLamp& lamp, co
 
 } // namespace
 
-RowFit fit_material(const MaterialSpectrum& material) {
+RowFit fit_material(const MaterialSpectrum& material, std::span<const PriorLamp> own) {
     const FineValues fine = fine_reflectance(material);
     RowValues start = sample_material(material).value;
     const RowValues folded = projected(fine);
@@ -56,8 +56,17 @@ RowFit fit_material(const MaterialSpectrum& material) {
     const RowValues pull = firm.add_pull(kFirmPull, kPullFloor);
     for (std::size_t i = 0; i < kIntervals; ++i)
         h[i] += pull[i] * start[i];
-    fit.best = least_within(firm, h, start, 0, 1);
     fit.form.add_pull(kLightPull, kPullFloor);
+    // Lamps that are known for certain pull harder than the row of samples holds.
+    RowValues own_h{};
+    for (const PriorLamp& lamp : own) {
+        RowValues same{};
+        add_lamp_error(firm, own_h, lamp, fine);
+        add_lamp_error(fit.form, same, lamp, fine);
+    }
+    for (std::size_t i = 0; i < kIntervals; ++i)
+        h[i] += own_h[i];
+    fit.best = least_within(firm, h, start, 0, 1);
     return fit;
 }
 

@@ -21,7 +21,7 @@ void take_off_own_error(PriorLamp& lamp) {
 }
 
 // `row`: the emission that the lamp's atlas row stands for.
-PriorLamp made(double weight, const FineValues& power, const RowValues& row) {
+PriorLamp as_they_are(double weight, const FineValues& power, const RowValues& row) {
     const auto lit = [](double v) { return v > 0; };
     PriorLamp lamp{weight, 0, {}, 0, 0, {}};
     lamp.fine_begin = static_cast<std::size_t>(std::find_if(power.begin(), power.end(), lit) - power.begin());
@@ -39,6 +39,11 @@ PriorLamp made(double weight, const FineValues& power, const RowValues& row) {
     const double row_k = weighted_sum(row).y;
     for (std::size_t i = lamp.begin; i < lamp.end; ++i)
         lamp.interval[i] = (row[i] / row_k) * interval_weights()[i];
+    return lamp;
+}
+
+PriorLamp made(double weight, const FineValues& power, const RowValues& row) {
+    PriorLamp lamp = as_they_are(weight, power, row);
     take_off_own_error(lamp);
     return lamp;
 }
@@ -73,6 +78,10 @@ std::vector<PriorLamp> make_lamps() {
 }
 
 } // namespace
+
+PriorLamp own_lamp(const LampPower& power, const RowValues& row, double share) {
+    return as_they_are(kOwnWeight * share, power.fine, row);
+}
 
 const std::vector<PriorLamp>& prior_lamps() {
     static const auto all = make_lamps();

@@ -45,10 +45,10 @@ LampLevels lamp_levels(const LampPower& power) {
     return {best.level, *peak * kFullScale / full};
 }
 
-MaterialLevels material_levels(const MaterialSpectrum& material) {
+MaterialLevels material_levels(const MaterialSpectrum& material, std::span<const PriorLamp> own) {
     constexpr int scales = 16;
     constexpr double headroom = 0.1;
-    const RowFit fit = fit_material(material);
+    const RowFit fit = fit_material(material, own);
     const double greatest = *std::max_element(fit.best.begin(), fit.best.end());
     MaterialLevels best{{}, 1};
     if (!(greatest > 0))

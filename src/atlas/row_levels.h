@@ -1,6 +1,8 @@
 // The 8-bit rows of Quantization::weighted.
 #pragma once
 
+#include <span>
+
 #include "atlas/levels.h"
 #include "atlas/material_fit.h"
 
@@ -22,7 +24,7 @@ struct MaterialLevels {
     std::array<std::uint8_t, kIntervals> level;
     double scale;
 };
-MaterialLevels material_levels(const MaterialSpectrum& material);
+MaterialLevels material_levels(const MaterialSpectrum& material, std::span<const PriorLamp> own = {});
 
 /// x, y, z of weighted_observer() in levels, the greatest weight 255. Each rounding's error is handed on to
 /// the next interval (error diffusion), so that no sum over neighbors is further than a level from the exact

@@ -32,10 +32,11 @@ std::vector<std::string> quantization_names() {
 void build(const BuildOptions& options) {
     std::vector<std::string> warnings;
     Atlas atlas = empty_atlas(find_quantization(options.quantization).value());
+    std::vector<Lamp> lamps;
     for (const std::string& name : expanded_lamps(options.lamps))
-        add_lamp(atlas, find_lamp(name, ".", &warnings));
+        add_lamp(atlas, lamps.emplace_back(find_lamp(name, ".", &warnings)));
     for (const std::string& name : expanded_materials(options.materials))
-        add_material(atlas, find_material(name, ".", &warnings));
+        add_material(atlas, find_material(name, ".", &warnings), lamps);
     warn(warnings);
     write_file(options.output, encode_atlas(atlas));
     std::cout << options.output << ": written\n";

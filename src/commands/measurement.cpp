@@ -35,7 +35,7 @@ Exhibit pair_exhibit(const Lamp& lamp, const Material& material, const Display& 
     ObjectSetting& object = exhibit.objects.emplace_back();
     object.name = "patch-1";
     object.material.material = material;
-    object.material.key = add_material(exhibit.atlas, material);
+    object.material.key = add_material(exhibit.atlas, material, {&lamp, 1});
     exhibit.materials.emplace(object.material.key, material);
     return exhibit;
 }

@@ -59,7 +59,7 @@ Exhibit build(const Settings& settings, const std::string& place, Use use,
         changed.replace(std::move(scene_materials));
         return std::make_shared<const Exhibit>(build(changed, place, Use::kiosk, nullptr));
     });
-    exhibit.atlas = rows.atlas();
+    exhibit.atlas = rows.atlas_for_its_lamps();
     exhibit.materials = rows.full_materials();
     settings.each([&](const Setting& setting) { add_files(setting, exhibit.files); });
     give_cards(exhibit);

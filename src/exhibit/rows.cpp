@@ -57,6 +57,7 @@ LampSetting Rows::lamp(const Setting& setting, const std::string& text) {
         LampSetting found;
         found.lamp = find_lamp(text, setting.folder.string(), &doubts);
         found.key = add_lamp(atlas_, found.lamp);
+        full_lamps_.emplace(found.key, found.lamp);
         warn(setting, doubts);
         return found;
     });
@@ -75,6 +76,19 @@ MaterialSetting Rows::material(const Setting& setting, const std::string& text) 
         warn(setting, doubts);
         return found;
     });
+}
+
+Atlas Rows::atlas_for_its_lamps() const {
+    if (file_)
+        return atlas_;
+    std::vector<Lamp> lamps;
+    for (const auto& [key, lamp] : full_lamps_)
+        lamps.push_back(lamp);
+    Atlas atlas = atlas_;
+    atlas.materials = {};
+    for (const auto& [key, material] : full_materials_) // in the order of their keys, which they get again
+        add_material(atlas, material, lamps);
+    return atlas;
 }
 
 void Rows::refuse_key(const std::string& text, const std::string& what) const {

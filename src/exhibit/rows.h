@@ -37,6 +37,10 @@ public:
 
     const Atlas& atlas() const { return atlas_; }
 
+    /// The same, the levels of materials chosen once more for the lamps that were asked for; an atlas file's
+    /// rows stay as they are.
+    Atlas atlas_for_its_lamps() const;
+
 private:
     void refuse_key(const std::string& text, const std::string& what) const;
     void warn(const Setting& setting, const std::vector<std::string>& doubts);
@@ -45,6 +49,7 @@ private:
     std::optional<Atlas> file_;
     std::string file_place_;
     std::map<int, Material> full_materials_;
+    std::map<int, Lamp> full_lamps_;
     std::vector<std::string>* warnings_;
 };
 

@@ -12,7 +12,7 @@ void expect_shipped(const std::string& file, const MaterialSet& set, Quantizatio
     for (const Lamp& lamp : library_lamps())
         add_lamp(built, lamp);
     for (const std::string& name : set.materials)
-        add_material(built, find_material(name));
+        add_material(built, find_material(name), library_lamps());
     const Atlas shipped = read_atlas(METAMER_SOURCE_DIR "/atlas/" + file);
     EXPECT_EQ(shipped.quantization, quantization);
     EXPECT_EQ(shipped.rgba, built.rgba);
