@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <concepts>
 
-namespace metamer {
+#include "base/float16.h"
 
-/// IEEE 754 binary16, rounded after every operation (gcc: each operation in float, then rounded; float has
-/// more than twice half's digits plus two, so +, -, *, / come out as if rounded once).
-__extension__ typedef _Float16 Float16;
+namespace metamer {
 
 template <class T>
 concept Scalar = std::same_as<T, double> || std::same_as<T, float> || std::same_as<T, Float16>;

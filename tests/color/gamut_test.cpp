@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 #include <random>
 
+#include "base/float16.h"
+
 namespace metamer {
 namespace {
-
-__extension__ typedef _Float16 Float16;
 
 // Round-off of a component: a few units in the last place of 1, more where it is a difference.
 template <class T>

@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "base/float16.h"
+
 namespace metamer {
 namespace {
-
-__extension__ typedef _Float16 Float16;
 
 // IEC 61966-2-1: the published pairs of the curve.
 TEST(Transfer, SrgbKnowsItsFixedPoints) {

@@ -70,8 +70,8 @@ TEST(Twins, PartialSumsAreWhatHalfCanBear) {
 
 // 1 + 2^-11 + 2^-11: each addition rounds back to 1 in half; in float it would not.
 TEST(Twins, HalfRoundsAfterEveryOperation) {
-    volatile Float16 one = Float16(1), small = Float16(1.0f / 2048);
-    const Float16 sum = one + small + small;
+    volatile float one = 1, small = 1.0f / 2048; // not the compiler's to add up
+    const Float16 sum = Float16(one) + Float16(small) + Float16(small);
     EXPECT_EQ(static_cast<float>(sum), 1.0f);
 }
 
