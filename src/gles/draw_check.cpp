@@ -1,15 +1,20 @@
 #include "gles/draw_check.h"
 
 #include <GLES2/gl2.h>
+#include <array>
+#include <cstdint>
 #include <utility>
 
 #include "gles/framebuffer.h"
 #include "gles/mesh.h"
 #include "gles/saved_state.h"
+#include "gles/texture.h"
 
 namespace metamer {
 
 namespace {
+
+constexpr std::array<std::uint8_t, 4> kWhite{255, 255, 255, 255};
 
 // One triangle that covers the whole of clip space; normals and tangents of some direction, for shaders that
 // turn them.
@@ -28,6 +33,8 @@ bool draws(const Program& program) {
     const Framebuffer pixel(1, 1);
     const Mesh mesh(cover());
     pixel.bind();
+    const Texture white(1, 1, kWhite); // what a new program's samplers read
+    white.bind(0);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_DEPTH_TEST);
     glClearColor(0, 0, 0, 0);

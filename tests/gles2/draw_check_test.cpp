@@ -11,10 +11,10 @@ namespace {
 
 class DrawCheck : public GlTest {
 protected:
-    static Program program(const std::string& body) {
+    static Program program(const std::string& body, const std::string& uniforms = {}) {
         const ShaderFiles files = files_of(
             {{"a.vert", "attribute vec3 a_position;\nvoid main() { gl_Position = vec4(a_position, 1.0); }\n"},
-             {"a.frag", "precision mediump float;\nvoid main() { " + body + " }\n"}});
+             {"a.frag", "precision mediump float;\n" + uniforms + "\nvoid main() { " + body + " }\n"}});
         return {compose_shader("a.vert", {}, files), compose_shader("a.frag", {}, files), kMeshAttributes};
     }
 };
@@ -26,6 +26,26 @@ TEST_F(DrawCheck, SeesAProgramThatDraws) {
 // What a dropped draw leaves: nothing.
 TEST_F(DrawCheck, SeesAProgramThatDrawsNothing) {
     EXPECT_FALSE(draws(program("discard;")));
+}
+
+// As in a kiosk that loads an exhibit anew in the midst of drawing: nothing of that tells of the program.
+TEST_F(DrawCheck, SeesItWhateverIsBoundAndBlended) {
+    const std::uint8_t clear[4] = {0, 0, 0, 0};
+    const Texture nothing(1, 1, clear);
+    nothing.bind(0);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ZERO, GL_ONE);
+    EXPECT_TRUE(
+        draws(program("gl_FragColor = texture2D(u_picture, vec2(0.5));", "uniform sampler2D u_picture;")));
+    EXPECT_TRUE(glIsEnabled(GL_BLEND));
+    nothing.bind(3);
+    EXPECT_TRUE(draws(program("gl_FragColor = vec4(1.0);")));
+    GLint unit = 0;
+    glGetIntegerv(GL_ACTIVE_TEXTURE, &unit);
+    EXPECT_EQ(unit, GL_TEXTURE3);
+    glActiveTexture(GL_TEXTURE0);
+    glDisable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ZERO);
 }
 
 TEST_F(DrawCheck, LeavesTheStateAsItWas) {
