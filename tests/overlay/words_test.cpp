@@ -109,8 +109,8 @@ TEST(Words, SayWhatTheHalvesAre) {
 TEST(Words, FillPlaceholdersOnceAndLeaveUnknownOnes) {
     const Words words;
     EXPECT_EQ(words.text("en", "panel.title", {{"material", "Red crayon"}, {"lamp", "{material}"}}),
-              "Red crayon under {material}");
-    EXPECT_EQ(words.text("en", "panel.title", {{"lamp", "F11"}}), "{material} under F11");
+              "Red crayon – {material}");
+    EXPECT_EQ(words.text("en", "panel.title", {{"lamp", "F11"}}), "{material} – F11");
 }
 
 TEST(Words, UnknownLanguageIsEnglishAndCaseDoesNotMatter) {
