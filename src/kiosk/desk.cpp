@@ -200,9 +200,10 @@ ExpertPanel expert_panel(const Facts& facts) {
         return left == right ? left : left + " | " + right;
     };
     ExpertPanel panel;
-    panel.rows.push_back({say("expert.method"), both([&](const HalfPlan& half) {
-                              return std::string(method_name(half.objects[object].method));
-                          })});
+    panel.rows.push_back(
+        {say("expert.method"), both([&](const HalfPlan& half) {
+             return say(("method." + std::string(method_name(half.objects[object].method))).c_str());
+         })});
     panel.rows.push_back({say("expert.space"), both([&](const HalfPlan& half) {
                               const WorkingSpace* own =
                                   half.view.half ? half.view.half->working_space : nullptr;

@@ -70,15 +70,18 @@ std::optional<Action> Hands::follow(const Grab& grab, const PointerEvent& event,
     return std::nullopt;
 }
 
+bool Hands::slipped(const Grab& grab, const PointerEvent& event, const Within& within) {
+    const double most = grab.on_split ? kSplitSlip : kTapSlip;
+    return std::hypot(event.x_px - grab.x_px, event.y_px - grab.y_px) > most * within.desk->layout.unit_px;
+}
+
 std::optional<Action> Hands::lift(const Grab& grab, const PointerEvent& event, const Within& within) const {
-    const bool slipped =
-        std::hypot(event.x_px - grab.x_px, event.y_px - grab.y_px) > kTapSlip * within.desk->layout.unit_px;
     if (grab.widget) {
         const Widget* widget = same(grab.widget, within);
         return widget && widget->box.contains(event.x_px, event.y_px) ? action_of(*widget, within)
                                                                       : std::nullopt;
     }
-    if (slipped)
+    if (grab.dragged)
         return std::nullopt;
     if (const auto seen = within.pick(event.x_px, event.y_px))
         return *seen;
@@ -95,6 +98,7 @@ std::optional<Action> Hands::pointer(const PointerEvent& event, const Within& wi
     const auto finger = fingers_.find(event.finger);
     if (finger == fingers_.end())
         return std::nullopt;
+    finger->second.dragged = finger->second.dragged || slipped(finger->second, event, within);
     if (event.phase == PointerPhase::move)
         return follow(finger->second, event, within);
     const Grab grab = finger->second;
@@ -139,7 +143,9 @@ std::optional<Action> Hands::nudge(int by, const Within& within) {
 
 std::optional<Action> Hands::enter(const Within& within) {
     if (!focus_ || focus_ == kScene)
-        return within.objects.empty() ? std::nullopt : std::optional<Action>(within.objects.front());
+        return within.objects.empty()
+                   ? std::nullopt
+                   : std::optional<Action>(within.state->seen ? *within.state->seen : within.objects.front());
     const Widget* widget = same(focus_, within);
     return widget ? action_of(*widget, within) : std::nullopt;
 }

@@ -43,7 +43,9 @@ private:
         double x_px, y_px;           ///< where it came down
         double split_offset_px = 0;  ///< from the finger to the split
         bool on_split = false;
+        bool dragged = false; ///< too far for a tap, whether it came back or not
     };
+    static bool slipped(const Grab& grab, const PointerEvent& event, const Within& within);
     Grab grabbed(const PointerEvent& event, const Within& within) const;
     std::optional<Action> follow(const Grab& grab, const PointerEvent& event, const Within& within) const;
     std::optional<Action> lift(const Grab& grab, const PointerEvent& event, const Within& within) const;
@@ -55,7 +57,8 @@ private:
     std::optional<Focus> focus_;
 };
 
-/// Half of the width about the split that takes hold of it, and how far a tap may slip, in units (mm).
-inline constexpr double kSplitReach = 4, kTapSlip = 6;
+/// Half of the width about the split that takes hold of it, and how far a tap may slip: elsewhere, and there,
+/// where what slips drags. In units (mm).
+inline constexpr double kSplitReach = 4, kTapSlip = 6, kSplitSlip = 1.5;
 
 } // namespace metamer

@@ -3,6 +3,7 @@
 #include <GLES2/gl2.h>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.h"
 #include "gles/info.h"
@@ -30,12 +31,11 @@ Kiosk::Kiosk(KioskParts parts) : parts_(std::move(parts)) {
     parts_.loaded(*loaded_);
     visit_.emplace(loaded_->exhibit, parts_.stage->now_s());
     visit_->tick(parts_.stage->now_s(), parts_.minute_of_day());
-    show_.emplace(loaded_->exhibit);
-    good_ = visit_->state();
+    show_ = std::make_unique<Show>(loaded_->exhibit);
+    good_ = visit_;
     refresh();
     draw();
-    if (loaded_->exhibit.kiosk.watch_s > 0)
-        watch_.emplace();
+    set_watch();
     watched_s_ = parts_.stage->now_s();
     parts_.log->write(
         Priority::info, "shown",
@@ -52,20 +52,27 @@ PxSize Kiosk::picture() const {
                   parts_.stage->rotation_deg());
 }
 
-// The picture wanders within a margin of twice its reach.
-int Kiosk::margin_px() const {
-    return 2 * loaded_->exhibit.kiosk.pixel_shift_px;
-}
-
 Shift Kiosk::shift() const {
     const int most = loaded_->exhibit.kiosk.pixel_shift_px;
     const Shift walk = pixel_shift(parts_.stage->now_s(), most);
     return {walk.x_px + most, walk.y_px};
 }
 
-ScreenSize Kiosk::screen() const {
+// The picture wanders within a margin of twice its reach.
+ScreenSize Kiosk::screen(const Loaded& loaded) const {
     const PxSize size = picture();
-    return {size.width_px - margin_px(), size.height_px - margin_px(), parts_.stage->px_per_mm()};
+    const int margin_px = 2 * loaded.exhibit.kiosk.pixel_shift_px;
+    return {size.width_px - margin_px, size.height_px - margin_px, parts_.stage->px_per_mm()};
+}
+
+// Known before the plan is, which the desk tells of: nothing over the scene changes its box.
+PxSize Kiosk::scene_size(const Loaded& loaded, const Visit& visit) const {
+    Contents controls;
+    controls.lamps = static_cast<int>(loaded.exhibit.kiosk.lamps.size());
+    controls.languages = static_cast<int>(loaded.words.languages().size());
+    controls.booth = visit.state().mode == Mode::booth;
+    const PxBox scene = lay_out(screen(loaded), controls).scene;
+    return {scene.width, scene.height};
 }
 
 double Kiosk::due_s() const {
@@ -75,7 +82,7 @@ double Kiosk::due_s() const {
     if (show_->fading(now))
         return now;
     double due = visit_->next_s();
-    if (loaded_->exhibit.kiosk.pixel_shift_px > 0)
+    if (loaded_->exhibit.kiosk.pixel_shift_px > 0 && visit_->phase() != Phase::night)
         due = std::min(due, (std::floor(now / 60) + 1) * 60);
     if (watch_)
         due = std::min(due, watched_s_ + loaded_->exhibit.kiosk.watch_s);
@@ -91,16 +98,17 @@ bool Kiosk::turn(double most_s) {
     if (ends_)
         return false;
     notify_alive();
-    if (parts_.stage->context_lost())
-        rebuild("the context was reset");
+    if (lost_ || parts_.stage->context_lost())
+        rebuild("the context was lost");
     visit_->tick(parts_.stage->now_s(), parts_.minute_of_day());
     look_at_the_picture();
     refresh();
     const Shift now_shift = shift();
-    const bool moved = now_shift.x_px != shown_shift_.x_px || now_shift.y_px != shown_shift_.y_px;
+    const bool moved = visit_->phase() != Phase::night &&
+                       (now_shift.x_px != shown_shift_.x_px || now_shift.y_px != shown_shift_.y_px);
+    untold_ = untold_ || moved;
     // One frame more ends a fade.
-    const bool fades = frame_end_s_ < 1e300 && show_->fading(frame_end_s_);
-    if (display_ && (dirty_ || moved || fades))
+    if (display_ && (dirty_ || moved || show_->fading(frame_s_)))
         draw();
     return true;
 }
@@ -137,10 +145,17 @@ void Kiosk::act(const std::optional<Action>& action) {
         visit_->act(*action);
 }
 
+bool Kiosk::wakes() {
+    const bool alone = visit_->phase() != Phase::visitor;
+    const bool woke = visit_->touch(parts_.stage->now_s());
+    if (alone)
+        refresh(); // what is touched is the visitor's, not the tour's
+    return woke;
+}
+
 void Kiosk::take(const Event& event) {
-    const double now = parts_.stage->now_s();
     if (const auto* pointer = std::get_if<PointerEvent>(&event)) {
-        if (visit_->touch(now)) {
+        if (wakes()) {
             hands_.let_go(); // what wakes the night does nothing else
             return;
         }
@@ -149,7 +164,7 @@ void Kiosk::take(const Event& event) {
         inside.y_px -= shown_shift_.y_px;
         act(hands_.pointer(inside, within()));
     } else if (const auto* key = std::get_if<KeyEvent>(&event)) {
-        if (!visit_->touch(now))
+        if (!wakes())
             act(hands_.key(*key, within()));
     } else if (std::holds_alternative<ResizeEvent>(event)) {
         stale_ = dirty_ = true;
@@ -157,7 +172,7 @@ void Kiosk::take(const Event& event) {
     } else if (std::holds_alternative<ExposeEvent>(event)) {
         dirty_ = true;
     } else if (std::holds_alternative<ContextLostEvent>(event)) {
-        rebuild("the context was lost");
+        lost_ = true;
     } else if (std::holds_alternative<DisplayGoneEvent>(event)) {
         display_ = false;
         parts_.log->write(Priority::warning, "display_gone");
@@ -178,17 +193,13 @@ void Kiosk::reload() {
         // It must be drawn before the old one goes: an exhibit may be readable and still not plannable.
         Visit visit = *visit_;
         visit.take_over(fresh->exhibit);
-        auto show = std::make_unique<std::optional<Show>>(std::in_place, fresh->exhibit);
-        (*show)->stage(cue_of(visit),
-                       {desk_.layout.scene.width > 0 ? desk_.layout.scene.width : 64,
-                        desk_.layout.scene.height > 0 ? desk_.layout.scene.height : 64},
-                       parts_.stage->now_s());
-        (*show).reset();
-        show_.reset();
-        visit_ = visit;
+        auto show = std::make_unique<Show>(fresh->exhibit);
+        show->stage(cue_of(visit), scene_size(*fresh, visit), parts_.stage->now_s());
+        show_ = std::move(show);
+        good_ = visit_ = visit;
         loaded_ = std::move(fresh);
-        show_.emplace(loaded_->exhibit);
         notice_.clear();
+        set_watch();
         parts_.loaded(*loaded_);
         parts_.log->write(Priority::info, "reloaded", {{"exhibit", loaded_->exhibit.place}});
     } catch (const Error& error) {
@@ -202,15 +213,21 @@ void Kiosk::reload() {
 
 void Kiosk::rebuild(const std::string& why) {
     parts_.log->write(Priority::warning, "context_rebuilt", {{"why", why}});
-    const bool watched = watch_.has_value();
     watch_.reset();
     show_.reset();
     parts_.stage->rebuild();
-    show_.emplace(loaded_->exhibit);
-    if (watched)
-        watch_.emplace();
+    show_ = std::make_unique<Show>(loaded_->exhibit);
+    set_watch();
     ++rebuilds_;
+    lost_ = false;
     stale_ = dirty_ = true;
+}
+
+void Kiosk::set_watch() {
+    if (loaded_->exhibit.kiosk.watch_s <= 0)
+        watch_.reset();
+    else if (!watch_)
+        watch_.emplace();
 }
 
 void Kiosk::look_at_the_picture() {
@@ -230,37 +247,38 @@ void Kiosk::look_at_the_picture() {
     watched_s_ = now - loaded_->exhibit.kiosk.watch_s; // and looks again with the next turn
 }
 
-bool Kiosk::stage_scene() {
-    const PxBox& scene = desk_.layout.scene;
-    const PxSize size{scene.width, scene.height};
+void Kiosk::stage_scene() {
+    const auto stage = [this] {
+        show_->stage(cue_of(*visit_), scene_size(*loaded_, *visit_), parts_.stage->now_s());
+    };
     try {
-        const bool drew = show_->stage(cue_of(*visit_), size, parts_.stage->now_s());
-        good_ = visit_->state();
-        return drew;
+        stage();
+        good_ = visit_;
     } catch (const Error& error) {
-        if (error.status() != Exit::bad_input || visit_->state() == good_)
+        if (error.status() != Exit::bad_input || cue_of(*visit_) == cue_of(*good_))
             throw;
         notice_ = loaded_->words.text(visit_->state().language, "notice.refused", {{"error", error.what()}});
         parts_.log->write(Priority::error, "scene_refused", {{"error", error.what()}});
-        visit_->put_back(good_);
-        stale_ = true;
-        return show_->stage(cue_of(*visit_), size, parts_.stage->now_s());
+        visit_->put_back(*good_);
+        stage();
     }
 }
 
 // Dragging moves two things: nothing is laid out, painted or allocated.
-bool Kiosk::move_split_only(const VisitState& before) {
-    VisitState moved = before;
-    moved.split = visit_->state().split;
-    if (moved != visit_->state() || moved.mode != Mode::methods)
-        return false;
+bool Kiosk::move_split_only() {
+    const VisitState& state = visit_->state();
     const auto inner = [](double split) { return split > 0 && split < 1; };
-    if (!inner(before.split) || !inner(moved.split))
+    if (state.mode != Mode::methods || !inner(laid_.split) || !inner(state.split))
         return false;
+    const double before = std::exchange(laid_.split, state.split);
+    if (laid_ != state) {
+        laid_.split = before;
+        return false;
+    }
     for (Widget& widget : desk_.widgets)
         if (widget.part == Part::split) {
-            widget.box = split_handle(desk_.layout, moved.split);
-            widget.value = moved.split;
+            widget.box = split_handle(desk_.layout, state.split);
+            widget.value = state.split;
         }
     return true;
 }
@@ -272,7 +290,7 @@ void Kiosk::lay_desk() {
                       &show_->play().renderer().spectra(),
                       &*visit_,
                       &loaded_->words,
-                      screen(),
+                      screen(*loaded_),
                       hands_.focus(),
                       notice_,
                       show_->frame_ms()};
@@ -280,23 +298,17 @@ void Kiosk::lay_desk() {
     objects_ = objects_of(show_->play().exhibit());
 }
 
-// The desk needs the plan of the scene, the scene the desk's layout: both are cheap to repeat.
 void Kiosk::refresh() {
     const bool changed = stale_ || laid_ != visit_->state() || laid_phase_ != visit_->phase() ||
                          laid_step_ != visit_->step() || laid_focus_ != hands_.focus();
     if (!changed)
         return;
-    dirty_ = true;
+    dirty_ = untold_ = true;
     const bool same_desk = !stale_ && laid_phase_ == visit_->phase() && laid_step_ == visit_->step() &&
-                           laid_focus_ == hands_.focus() && move_split_only(laid_);
+                           laid_focus_ == hands_.focus() && move_split_only();
     if (!same_desk && visit_->phase() != Phase::night) {
-        if (desk_.layout.scene.width == 0)
-            desk_.layout =
-                lay_out(screen(), {.lamps = static_cast<int>(loaded_->exhibit.kiosk.lamps.size()),
-                                   .languages = static_cast<int>(loaded_->words.languages().size())});
         stage_scene();
         lay_desk();
-        stage_scene(); // the box may be another
         show_->paint(desk_);
     } else if (!same_desk) {
         desk_.widgets.clear();
@@ -307,8 +319,6 @@ void Kiosk::refresh() {
     laid_step_ = visit_->step();
     laid_focus_ = hands_.focus();
     stale_ = false;
-    if (!same_desk)
-        describe();
 }
 
 void Kiosk::draw() {
@@ -318,13 +328,11 @@ void Kiosk::draw() {
     show_->compose(desk_, picture(), parts_.stage->rotation_deg(), shown_shift_, visit_->state().split, now,
                    visit_->phase() == Phase::night);
     parts_.stage->show();
-    frame_end_s_ = now;
+    frame_s_ = now;
     dirty_ = false;
-}
-
-void Kiosk::describe() const {
-    if (parts_.describe)
-        parts_.describe(description(desk_, *visit_, picture(), shift()));
+    if (parts_.describe && untold_)
+        parts_.describe(description(desk_, *visit_, picture(), shown_shift_));
+    untold_ = false;
 }
 
 } // namespace metamer

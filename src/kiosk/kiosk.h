@@ -29,7 +29,7 @@ struct KioskParts {
     std::function<std::unique_ptr<Loaded>()> load; ///< throws bad_input; called at start and for each reload
     std::function<void(const Loaded&)> loaded;     ///< after each load that is taken over (watches its files)
     std::function<int()> minute_of_day;            ///< local time, 0 .. 1439
-    std::function<void(const std::string&)> describe; ///< what is on the screen, as JSON, whenever it changed
+    std::function<void(const std::string&)> describe; ///< what is shown, as JSON, whenever it changed
 };
 
 class Kiosk {
@@ -51,45 +51,47 @@ public:
 
 private:
     void take(const Event& event);
+    bool wakes();
     void act(const std::optional<Action>& action);
     void reload();
     void rebuild(const std::string& why);
+    void set_watch();
     void look_at_the_picture();
     void refresh();
-    bool stage_scene();
+    void stage_scene();
     void lay_desk();
-    bool move_split_only(const VisitState& before);
+    bool move_split_only();
     void draw();
-    void describe() const;
     double due_s() const;
     Within within();
     std::optional<Seen> seen_at(double x_px, double y_px) const;
     PxSize picture() const;
-    int margin_px() const;
     Shift shift() const;
-    ScreenSize screen() const;
+    ScreenSize screen(const Loaded& loaded) const;
+    PxSize scene_size(const Loaded& loaded, const Visit& visit) const;
 
     KioskParts parts_;
     std::unique_ptr<Loaded> loaded_;
     std::optional<Visit> visit_;
-    std::optional<Show> show_;
+    std::unique_ptr<Show> show_;
     std::optional<PictureWatch> watch_;
     Hands hands_;
     Desk desk_;
     std::vector<Seen> objects_; ///< of the scene on show, for the keyboard
     VisitState laid_;           ///< what the desk was laid for
-    VisitState good_;           ///< the last state whose scene could be drawn
+    std::optional<Visit> good_; ///< the last whose scene could be drawn
     Phase laid_phase_ = Phase::visitor;
     std::optional<Focus> laid_focus_;
     std::string notice_;
     Shift shown_shift_;
-    double watched_s_ = 0, frame_end_s_ = 0;
+    double watched_s_ = 0, frame_s_ = -1;
     long rebuilds_ = 0;
     int wrong_looks_ = 0;
     int laid_step_ = -1;
-    bool stale_ = true; ///< the desk must be laid anew
-    bool dirty_ = true; ///< a frame must be shown
-    bool ends_ = false, display_ = true;
+    bool stale_ = true;  ///< the desk must be laid anew
+    bool dirty_ = true;  ///< a frame must be shown
+    bool untold_ = true; ///< the next frame must be described
+    bool ends_ = false, display_ = true, lost_ = false;
 };
 
 } // namespace metamer

@@ -1,6 +1,5 @@
 #include "kiosk/picture_watch.h"
 
-#include <GLES2/gl2.h>
 #include <cstdlib>
 
 #include "base/error.h"
@@ -28,15 +27,14 @@ PictureWatch::PictureWatch()
       target_(2 * kSidePx, kSidePx, DepthBuffer::depth16) {}
 
 std::string PictureWatch::look() {
-    target_.bind();
+    std::vector<std::uint8_t> drawn;
     try {
+        target_.bind();
         renderer_.draw(2 * kSidePx, kSidePx);
+        drawn = target_.read_rgba();
     } catch (const Error& error) {
         return error.what();
     }
-    const std::vector<std::uint8_t> drawn = target_.read_rgba();
-    if (const GLenum error = glGetError(); error != GL_NO_ERROR)
-        return printed("GL error 0x%04x", error);
     const HalfPlan& plan = renderer_.plan().halves.front();
     const ExhibitSpectra& spectra = renderer_.spectra();
     for (std::size_t i = 0; i < exhibit_.objects.size(); ++i) {

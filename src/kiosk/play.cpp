@@ -2,6 +2,7 @@
 
 #include <GLES2/gl2.h>
 #include <bit>
+#include <chrono>
 #include <cmath>
 
 #include "gles/texture.h"
@@ -45,7 +46,15 @@ bool Play::draw(PxSize scene) {
         renderer_->update();
     changed_ = false;
     scale_ = scale_for(size, exhibit_.display.supersample);
-    const int width = size.width_px * scale_, height = size.height_px * scale_;
+    const auto began = std::chrono::steady_clock::now();
+    draw_sides(size.width_px * scale_, size.height_px * scale_);
+    glFinish();
+    frame_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count();
+    drawn_ = size;
+    return true;
+}
+
+void Play::draw_sides(int width, int height) {
     const std::size_t sides = renderer_->plan().halves.size();
     for (std::size_t i = 0; i < sides; ++i) {
         std::optional<Framebuffer>& side = sides_[i];
@@ -57,8 +66,6 @@ bool Play::draw(PxSize scene) {
     }
     if (sides == 1)
         sides_[1].reset();
-    drawn_ = size;
-    return true;
 }
 
 // From share to share of a side's width.
@@ -93,8 +100,7 @@ void Play::lay(Compositor& compositor, const PxBox& box, double split, const Pat
     }
 }
 
-void Play::drop() {
-    renderer_.reset();
+void Play::rest() {
     sides_ = {};
     drawn_ = {};
 }

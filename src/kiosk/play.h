@@ -12,7 +12,7 @@
 
 namespace metamer {
 
-/// Its GL objects come with the first draw and go with drop().
+/// Its GL objects come with the first draw.
 class Play {
 public:
     /// `side_by_side`: each side shows the whole scene in half of the width, as a booth does; else both fill
@@ -31,17 +31,19 @@ public:
     /// same box bound to kBeforeUnit, where `share` < 1.
     void lay(Compositor& compositor, const PxBox& box, double split, const Patch& before, float share) const;
 
-    /// Forgets all GL objects: before the context goes.
-    void drop();
+    /// Gives the pictures' memory back while another scene is shown; the next draw() draws anew.
+    void rest();
 
+    /// How long the last draw() took on the GPU and to submit, without planning, ms.
+    double frame_ms() const { return frame_ms_; }
     const Exhibit& exhibit() const { return exhibit_; }
     bool side_by_side() const { return side_by_side_; }
     /// After the first draw().
     const FrameRenderer& renderer() const { return *renderer_; }
-    bool ready() const { return renderer_.has_value(); }
 
 private:
     PxSize side_size(PxSize scene) const;
+    void draw_sides(int width, int height);
     Patch patch(double from, double to) const;
 
     Exhibit exhibit_;
@@ -50,6 +52,7 @@ private:
     std::array<std::optional<Framebuffer>, 2> sides_;
     PxSize drawn_; ///< of one side; 0: nothing yet
     int scale_ = 1;
+    double frame_ms_ = 0;
     bool changed_ = false;
 };
 

@@ -29,6 +29,16 @@ std::optional<MaterialSetting> material_of(const Exhibit& exhibit, const ObjectS
     return setting;
 }
 
+// The booth's cards are made, and have names of their own.
+std::string material_words(const Exhibit& exhibit, const ObjectSetting& object, const std::string& name,
+                           const Words& words, const std::string& language) {
+    if (exhibit.scene == SceneKind::booth && object.name == "card-a")
+        return words.text(language, "booth.card_a");
+    if (exhibit.scene == SceneKind::booth && object.name == "card-b")
+        return words.text(language, "booth.card_b");
+    return words.name_of(language, "material", name);
+}
+
 struct HalfColor {
     std::array<std::uint8_t, 3> rgb;
     Xyz xyz;
@@ -99,7 +109,8 @@ std::optional<ProductPanel> product_panel(const Exhibit& exhibit, const Plan& pl
     const HalfLamp& lamp = view.lamps[view.dominant];
     ProductPanel panel;
     const std::string lamp_name = words.name_of(language, "lamp", lamp.name),
-                      material_name = words.name_of(language, "material", material->material.name);
+                      material_name = material_words(exhibit, exhibit.objects[seen.object],
+                                                     material->material.name, words, language);
     panel.title = words.text(language, "panel.title", {{"material", material_name}, {"lamp", lamp_name}});
     panel.lamp_name = words.text(language, "panel.lamp");
     panel.material_name = words.text(language, "panel.material");

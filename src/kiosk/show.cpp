@@ -2,7 +2,6 @@
 
 #include <GLES2/gl2.h>
 #include <bit>
-#include <chrono>
 #include <cmath>
 
 #include "exhibit/booth.h"
@@ -32,10 +31,6 @@ void take_over(const Exhibit& fresh, Exhibit& drawn) {
     drawn.materials = fresh.materials;
 }
 
-Exhibit booth_of(const Exhibit& exhibit, const Cue& cue) {
-    return booth_exhibit(exhibit, exhibit.kiosk.lamps[cue.booth_left], exhibit.kiosk.lamps[cue.booth_right]);
-}
-
 bool only_brightness(Cue a, const Cue& b) {
     a.strength = b.strength;
     return a == b;
@@ -53,7 +48,7 @@ Show::Show(const Exhibit& exhibit) : exhibit_(exhibit), own_(exhibit, false) {}
 Play& Show::play_for(const Cue& cue) {
     if (cue.mode == Mode::booth) {
         if (!booth_)
-            booth_.emplace(booth_of(exhibit_, cue), true);
+            booth_.emplace(booth_at_one(cue), true);
         return *booth_;
     }
     if (!cue.scene)
@@ -65,13 +60,23 @@ Play& Show::play_for(const Cue& cue) {
     return *tour_;
 }
 
-void Show::light(Play& play, const Cue& cue) const {
+const Exhibit& Show::booth_at_one(const Cue& cue) {
+    const std::array lamps{cue.booth_left, cue.booth_right};
+    if (!booth_at_one_ || booth_lamps_ != lamps) {
+        const std::vector<LampSetting>& shelf = exhibit_.kiosk.lamps;
+        booth_at_one_ = booth_exhibit(exhibit_, shelf[cue.booth_left], shelf[cue.booth_right]);
+        booth_lamps_ = lamps;
+    }
+    return *booth_at_one_;
+}
+
+void Show::light(Play& play, const Cue& cue) {
     play.change([&](Exhibit& drawn) {
         if (cue.mode == Mode::methods) {
             apply(state_of(cue), cue.scene ? *cue.scene : exhibit_, drawn);
             return;
         }
-        take_over(booth_of(exhibit_, cue), drawn);
+        take_over(booth_at_one(cue), drawn);
         for (LampSetting& lamp : drawn.lamps)
             lamp.strength *= cue.strength;
     });
@@ -97,7 +102,7 @@ bool Show::stage(const Cue& cue, PxSize scene, double now_s) {
     const bool fades = another && cue_ && !only_brightness(*cue_, cue);
     if (fades)
         keep_old_picture(scene, current_->side_by_side() ? 0.5 : last_split_);
-    const auto began = std::chrono::steady_clock::now();
+    Play* const before = current_;
     bool drew = false;
     try {
         Play& play = play_for(cue);
@@ -113,11 +118,8 @@ bool Show::stage(const Cue& cue, PxSize scene, double now_s) {
         }
         throw;
     }
-    if (drew) {
-        glFinish();
-        frame_ms_ =
-            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count();
-    }
+    if (before && before != current_)
+        before->rest();
     if (fades)
         fade_began_s_ = now_s;
     cue_ = cue;

@@ -2,7 +2,7 @@
 // lost context.
 #pragma once
 
-#include <memory>
+#include <array>
 #include <optional>
 
 #include "kiosk/compositor.h"
@@ -46,12 +46,13 @@ public:
 
     const Play& play() const { return *current_; }
     /// How long the last scene took to draw, ms.
-    double frame_ms() const { return frame_ms_; }
+    double frame_ms() const { return current_->frame_ms(); }
     const OverlayTextures& overlay() const { return overlay_; }
 
 private:
     Play& play_for(const Cue& cue);
-    void light(Play& play, const Cue& cue) const;
+    const Exhibit& booth_at_one(const Cue& cue);
+    void light(Play& play, const Cue& cue);
     void keep_old_picture(PxSize scene, double split);
 
     const Exhibit& exhibit_;
@@ -59,12 +60,14 @@ private:
     OverlayTextures overlay_;
     Play own_;
     std::optional<Play> booth_, tour_;
+    std::optional<Exhibit> booth_at_one_; ///< at strength 1, for these lamps: its cards take time
+    std::array<std::size_t, 2> booth_lamps_{};
     const Exhibit* toured_ = nullptr;
     Play* current_ = nullptr;
     std::optional<Cue> cue_;
     std::optional<Framebuffer> before_;
     Patch before_patch_;
-    double fade_began_s_ = -1e9, last_split_ = 0.5, frame_ms_ = 0;
+    double fade_began_s_ = -1e9, last_split_ = 0.5;
 };
 
 } // namespace metamer

@@ -63,8 +63,12 @@ public:
     /// as it is there; a tour begins again at the next tick.
     void take_over(const Exhibit& exhibit);
 
-    /// The state is this again: what was wished since could not be shown.
-    void put_back(const VisitState& state) { state_ = state; }
+    /// State and scene are what they were in `good`: what was wished since, by a visitor or by the tour,
+    /// could not be shown. Phase and step go on.
+    void put_back(const Visit& good) {
+        state_ = good.state_;
+        scene_ = good.scene_;
+    }
 
     /// When tick() has something to do next: the earliest of idle, the tour's next step, the next change of
     /// day and night (a minute from now at most, where there is a night).
