@@ -90,7 +90,8 @@ std::string description(const Desk& desk, const Visit& visit, PxSize picture, Sh
              {"widgets", Json::array()}};
     for (const Widget& widget : desk.widgets)
         out["widgets"].push_back(widget_json(widget, shift));
-    return out.dump(1) + "\n";
+    // An error may hold any byte of the file that it is about.
+    return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 } // namespace metamer
