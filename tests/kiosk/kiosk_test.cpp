@@ -1,0 +1,260 @@
+// A kiosk through its days: what it draws, and that it draws nothing while nothing changes.
+#include "kiosk/kiosk.h"
+
+#include <gmock/gmock.h>
+
+#include "base/error.h"
+#include "kiosk/twin.h"
+
+namespace metamer {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const char* const kTour = "[tour.1]\nlamp = E\ncaption = One\nseconds = 5\n"
+                          "[tour.2]\nlamp = D65\nsplit = 0.25\ncaption = Two\nseconds = 5\n"
+                          "[tour.3]\nmaterials = cc-cyan, crayon-white\ncaption = Three\nseconds = 5\n";
+
+bool dark(const TestKiosk& at) {
+    const std::vector<std::uint8_t> rgba = at.stage.read_rgba();
+    for (std::size_t i = 0; i < rgba.size(); ++i)
+        if (rgba[i] != (i % 4 == 3 ? 255 : 0))
+            return false;
+    return true;
+}
+
+void expect_colors(const TestKiosk& at, const Exhibit& drawn) {
+    const Twin twin(drawn);
+    const Seen8 seen(at);
+    for (const Place& place : places(at))
+        ASSERT_LE(apart(seen(place.x, place.y), twin.color(place.object, place.half)), 2)
+            << "object " << place.object << " at " << place.x << ", " << place.y;
+}
+
+TEST(Kiosk, ShowsItsFirstFrameAndSaysSo) {
+    TestKiosk at;
+    EXPECT_EQ(at.stage.frames_shown(), 1);
+    EXPECT_EQ(at.loads, 1);
+    EXPECT_EQ(at.watched, "kiosk.ini");
+    EXPECT_THAT(at.lines, ElementsAre(testing::StartsWith("event=shown driver=surfaceless renderer=")));
+    EXPECT_THAT(at.described, HasSubstr("\"mode\": \"methods\""));
+    expect_colors(at, lit(at.text, at.state()));
+}
+
+TEST(Kiosk, DrawsNothingWhileNothingChanges) {
+    TestKiosk at(patches("night = 20:00-08:00\nidle_s = 100000\n"));
+    at.settle();
+    const long frames = at.stage.frames_shown(), paintings = at.kiosk.show().overlay().paintings();
+    at.pass(3600);
+    EXPECT_EQ(at.stage.frames_shown(), frames);
+    EXPECT_EQ(at.kiosk.show().overlay().paintings(), paintings);
+}
+
+TEST(Kiosk, IdleWithoutATourItStandsStill) {
+    TestKiosk at;
+    at.pass(61);
+    EXPECT_EQ(at.kiosk.visit().phase(), Phase::tour);
+    const long frames = at.stage.frames_shown();
+    at.pass(3600);
+    EXPECT_EQ(at.stage.frames_shown(), frames);
+}
+
+TEST(Kiosk, DrawsAgainOnlyWhatWasLost) {
+    TestKiosk at;
+    const long frames = at.stage.frames_shown();
+    at.turn(ExposeEvent{});
+    EXPECT_EQ(at.stage.frames_shown(), frames + 1);
+    at.turn(KeyEvent{Key::escape});
+    EXPECT_EQ(at.stage.frames_shown(), frames + 1) << "a key that means nothing";
+    at.turn(PointerEvent{PointerPhase::move, 5, 10, 10});
+    EXPECT_EQ(at.stage.frames_shown(), frames + 1);
+}
+
+TEST(Kiosk, PaintsOnlyWhatLooksDifferent) {
+    TestKiosk at;
+    at.settle();
+    const long before = at.kiosk.show().overlay().paintings();
+    at.tap(Part::lamp, 1);
+    EXPECT_EQ(at.kiosk.show().overlay().paintings(), before + 2) << "the tile that was, the tile that is";
+}
+
+TEST(Kiosk, ADragOfTheSplitPaintsNothing) {
+    TestKiosk at;
+    at.settle();
+    const PxBox handle = at.kiosk.desk().find(Part::split)->box;
+    const double x = handle.left + 5, y = handle.top + 5;
+    at.turn(PointerEvent{PointerPhase::down, 0, x, y});
+    const long frames = at.stage.frames_shown(), paintings = at.kiosk.show().overlay().paintings();
+    for (int i = 1; i <= 20; ++i)
+        at.turn(PointerEvent{PointerPhase::move, 0, x + 4 * i, y});
+    EXPECT_EQ(at.stage.frames_shown(), frames + 20);
+    EXPECT_EQ(at.kiosk.show().overlay().paintings(), paintings);
+    EXPECT_EQ(at.kiosk.desk().find(Part::split)->value, at.state().split);
+    EXPECT_THAT(at.described, HasSubstr("\"split\": " + std::to_string(at.state().split).substr(0, 5)));
+}
+
+TEST(Kiosk, EndsWhenTold) {
+    TestKiosk at;
+    EXPECT_TRUE(at.turn());
+    EXPECT_FALSE(at.turn(QuitEvent{}));
+}
+
+TEST(Kiosk, ToursAndStops) {
+    TestKiosk at(patches(kTour));
+    at.tap(Part::lamp, 2);
+    at.tap(Part::expert);
+    at.pass(60);
+    ASSERT_EQ(at.kiosk.visit().phase(), Phase::tour);
+    EXPECT_EQ(at.kiosk.desk().find(Part::caption)->text, "One");
+    EXPECT_EQ(at.kiosk.desk().find(Part::expert_panel), nullptr) << "the visitor's choice is forgotten";
+    at.settle();
+    expect_colors(at, lit(at.text, at.state()));
+    at.pass(5);
+    EXPECT_EQ(at.kiosk.desk().find(Part::caption)->text, "Two");
+    at.settle();
+    EXPECT_EQ(at.state().split, 0.25);
+    expect_colors(at, lit(at.text, at.state()));
+    at.pass(5);
+    EXPECT_EQ(at.kiosk.desk().find(Part::caption)->text, "Three");
+    at.settle();
+    EXPECT_EQ(at.kiosk.show().play().exhibit().objects.size(), 2u);
+    expect_colors(at, at.kiosk.show().play().exhibit());
+    at.pass(5);
+    EXPECT_EQ(at.kiosk.desk().find(Part::caption)->text, "One") << "and again";
+    at.tap(Part::lamp, 1);
+    EXPECT_EQ(at.kiosk.visit().phase(), Phase::visitor);
+    EXPECT_EQ(at.kiosk.desk().find(Part::caption), nullptr);
+    EXPECT_EQ(at.state().lamp, 1u) << "the touch acts, too";
+    EXPECT_EQ(at.state().split, 0.5);
+    at.settle();
+    expect_colors(at, lit(at.text, at.state()));
+}
+
+TEST(Kiosk, ATapThatEndsATourIsOfTheVisitorsScene) {
+    TestKiosk at(patches(kTour));
+    at.pass(60);
+    at.pass(10);
+    ASSERT_EQ(at.kiosk.desk().find(Part::caption)->text, "Three");
+    const PxBox scene = at.kiosk.desk().layout.scene;
+    const double x = scene.left + 0.1 * scene.width, y = scene.top + 0.4 * scene.height;
+    at.stage.post(PointerEvent{PointerPhase::down, 0, x, y});
+    at.turn(PointerEvent{PointerPhase::up, 0, x, y});
+    ASSERT_TRUE(at.state().seen);
+    EXPECT_EQ(at.state().seen->material, "crayon-red");
+    EXPECT_NE(at.kiosk.desk().find(Part::panel), nullptr);
+}
+
+TEST(Kiosk, NightIsBlackAndATouchWakes) {
+    TestKiosk at(patches("night = 20:00-08:00\n" + std::string(kTour)));
+    at.minute = 20 * 60 - 1;
+    at.pass(70);
+    EXPECT_FALSE(dark(at));
+    at.minute = 20 * 60;
+    at.pass(60);
+    EXPECT_EQ(at.kiosk.visit().phase(), Phase::night);
+    EXPECT_TRUE(dark(at));
+    EXPECT_THAT(at.described, HasSubstr("\"widgets\": []"));
+    const long frames = at.stage.frames_shown();
+    at.pass(3600);
+    EXPECT_EQ(at.stage.frames_shown(), frames) << "nothing moves in the night";
+    // Two taps at once, where nobody sees anything: the first wakes.
+    for (int i = 0; i < 2; ++i)
+        for (const PointerPhase phase : {PointerPhase::down, PointerPhase::up})
+            at.stage.post(PointerEvent{phase, 0, 200, 100});
+    at.turn();
+    EXPECT_EQ(at.kiosk.visit().phase(), Phase::visitor);
+    at.settle();
+    EXPECT_FALSE(dark(at));
+    at.pass(61);
+    EXPECT_TRUE(dark(at)) << "nobody is there";
+    at.minute = 8 * 60;
+    at.pass(60);
+    EXPECT_EQ(at.kiosk.visit().phase(), Phase::tour);
+    at.settle();
+    EXPECT_FALSE(dark(at));
+}
+
+TEST(Kiosk, TheNightsPictureDoesNotWander) {
+    TestKiosk at(patches("night = 20:00-08:00\npixel_shift = 4\n"));
+    at.minute = 22 * 60;
+    at.pass(61);
+    ASSERT_TRUE(dark(at));
+    const long frames = at.stage.frames_shown();
+    at.pass(3600);
+    EXPECT_EQ(at.stage.frames_shown(), frames);
+}
+
+TEST(Kiosk, FollowsTheScreensSize) {
+    TestKiosk at;
+    for (const PxSize size : {PxSize{800, 480}, {480, 800}, {1280, 720}, {640, 480}}) {
+        at.stage.resize(size.width_px, size.height_px);
+        at.settle();
+        EXPECT_EQ(at.picture(), size);
+        for (const Widget& widget : at.kiosk.desk().widgets)
+            EXPECT_TRUE(widget.box.right() <= size.width_px && widget.box.bottom() <= size.height_px);
+        expect_colors(at, lit(at.text, at.state()));
+    }
+}
+
+TEST(Kiosk, WaitsForADisplay) {
+    TestKiosk at;
+    at.settle();
+    at.turn(DisplayGoneEvent{});
+    const long frames = at.stage.frames_shown();
+    at.tap(Part::lamp, 0);
+    at.pass(100);
+    EXPECT_EQ(at.stage.frames_shown(), frames) << "nothing is shown to nobody";
+    at.turn(DisplayBackEvent{});
+    EXPECT_EQ(at.stage.frames_shown(), frames + 1);
+    EXPECT_THAT(at.lines, ElementsAre(HasSubstr("shown"), "event=display_gone", "event=display_back"));
+}
+
+TEST(Kiosk, BuildsEverythingAnewAfterALostContext) {
+    TestKiosk at;
+    at.tap(Part::lamp, 1);
+    at.settle();
+    const std::vector<std::uint8_t> before = at.stage.read_rgba();
+    for (int i = 0; i < 100; ++i) {
+        at.stage.lose_context();
+        at.turn();
+        ASSERT_EQ(at.kiosk.rebuilds(), i + 1);
+        ASSERT_FALSE(at.stage.context_lost());
+    }
+    EXPECT_EQ(at.stage.read_rgba(), before);
+    EXPECT_EQ(at.state().lamp, 1u) << "the visitor notices nothing else";
+}
+
+// All at once: what follows in one turn meets whatever is there.
+TEST(Kiosk, TouchesAfterALossOrAReloadInOneTurn) {
+    TestKiosk at;
+    const PxBox scene = at.kiosk.desk().layout.scene;
+    const auto tap = [&] {
+        for (const PointerPhase phase : {PointerPhase::down, PointerPhase::up})
+            at.stage.post(PointerEvent{phase, 0, scene.left + 30.0, scene.top + 0.4 * scene.height});
+    };
+    at.stage.lose_context();
+    tap();
+    at.turn();
+    EXPECT_EQ(at.state().seen, (Seen{0, "crayon-red"}));
+    EXPECT_EQ(at.kiosk.rebuilds(), 1);
+    at.tap(Part::close);
+    at.stage.post(ReloadEvent{});
+    tap();
+    at.turn();
+    EXPECT_EQ(at.state().seen, (Seen{0, "crayon-red"}));
+}
+
+TEST(Kiosk, KeysReachThePanelThroughTheWholeOfIt) {
+    TestKiosk at;
+    for (int i = 0; i < 40 && !(at.kiosk.desk().find(Part::expert)->focused); ++i)
+        at.turn(KeyEvent{Key::tab});
+    ASSERT_TRUE(at.kiosk.desk().find(Part::expert)->focused);
+    at.turn(KeyEvent{Key::enter});
+    EXPECT_TRUE(at.state().expert);
+    at.turn(KeyEvent{Key::escape});
+    EXPECT_FALSE(at.state().expert);
+}
+
+} // namespace
+} // namespace metamer

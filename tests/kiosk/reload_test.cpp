@@ -1,0 +1,196 @@
+// Another exhibit while it runs, good or bad, and wishes that cannot be drawn.
+#include <gmock/gmock.h>
+
+#include "base/error.h"
+#include "kiosk/twin.h"
+
+namespace metamer {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+}
+
+void expect_colors(const TestKiosk& at, const Exhibit& drawn) {
+    const Twin twin(drawn);
+    const Seen8 seen(at);
+    for (const Place& place : places(at))
+        ASSERT_LE(apart(seen(place.x, place.y), twin.color(place.object, place.half)), 2)
+            << "object " << place.object << " at " << place.x << ", " << place.y;
+}
+
+TEST(Reload, TakesOver) {
+    TestKiosk at;
+    at.tap(Part::lamp, 1);
+    at.settle();
+    at.text = replaced(at.text, "crayon-red, crayon-blue", "cc-cyan, cc-magenta, crayon-violet");
+    at.turn(FilesChangedEvent{});
+    EXPECT_EQ(at.loads, 2);
+    EXPECT_EQ(at.kiosk.notice(), "");
+    EXPECT_EQ(at.state().lamp, 1u) << "a visitor's choice stays";
+    at.settle();
+    ASSERT_EQ(at.kiosk.show().play().exhibit().objects.size(), 4u);
+    expect_colors(at, lit(at.text, at.state()));
+    EXPECT_THAT(at.lines.back(), HasSubstr("event=reloaded exhibit=kiosk.ini"));
+}
+
+TEST(Reload, DrawsThePictureOnceOnly) {
+    TestKiosk at;
+    at.settle();
+    const long frames = at.stage.frames_shown();
+    at.turn(ReloadEvent{});
+    EXPECT_EQ(at.stage.frames_shown(), frames + 1);
+    at.turn();
+    EXPECT_EQ(at.stage.frames_shown(), frames + 1);
+}
+
+TEST(Reload, ClosesAPanelAndFitsTheShelf) {
+    TestKiosk at;
+    at.tap(Part::lamp, 2);
+    at.turn(KeyEvent{Key::enter});
+    ASSERT_TRUE(at.state().seen);
+    at.text =
+        replaced(at.text, "lamps = E, D65, F11\nbooth.left = D65\nbooth.right = F11\n", "lamps = E, D65\n");
+    at.turn(ReloadEvent{});
+    EXPECT_FALSE(at.state().seen);
+    EXPECT_FALSE(at.state().lamp) << "the exhibit's own: the shelf has it no more";
+    EXPECT_EQ(at.kiosk.desk().find(Part::lamp, 2), nullptr);
+}
+
+class Refused : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(Refused, KeepsTheLastGoodAndTells) {
+    const std::string good = patches();
+    TestKiosk at;
+    at.tap(Part::lamp, 1);
+    at.settle();
+    const VisitState before = at.state();
+    at.text = GetParam().first;
+    at.turn(ReloadEvent{});
+    EXPECT_THAT(at.kiosk.notice(), HasSubstr(GetParam().second));
+    ASSERT_NE(at.kiosk.desk().find(Part::notice), nullptr) << "in a corner for the technician";
+    EXPECT_THAT(at.kiosk.desk().find(Part::notice)->text, HasSubstr(GetParam().second));
+    EXPECT_THAT(at.lines.back(), HasSubstr("event=reload_refused error="));
+    EXPECT_EQ(at.state(), before);
+    at.settle();
+    expect_colors(at, lit(good, at.state()));
+    at.tap(Part::lamp, 0);
+    at.settle();
+    expect_colors(at, lit(good, at.state()));
+    EXPECT_NE(at.kiosk.desk().find(Part::notice), nullptr) << "until it is mended";
+    at.text = good;
+    at.turn(ReloadEvent{});
+    EXPECT_EQ(at.kiosk.desk().find(Part::notice), nullptr);
+    EXPECT_EQ(at.kiosk.notice(), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Reload, Refused,
+    testing::Values(
+        std::pair{"[scene]\nkind = pachtes\n", "kiosk.ini:2"}, std::pair{"\x01\xff[[[", "kiosk.ini"},
+        // Readable, and yet it cannot be planned.
+        std::pair{"[scene]\nkind = media\n[accuracy]\nmethod = folded\n[lamp.1]\nspectrum = E\n",
+                  "cannot draw object"},
+        std::pair{"[display]\nadaptation = bradford\n[scene]\nkind = patches\nmaterials = cc-red\n[lamp.1]\n"
+                  "spectrum = line:700\n",
+                  "cannot"}));
+
+TEST(Reload, InTheTourBeginsItAgain) {
+    const std::string text = patches("[tour.1]\nlamp = E\ncaption = One\nseconds = 5\n"
+                                     "[tour.2]\nlamp = D65\ncaption = Two\nseconds = 5\n");
+    TestKiosk at(text);
+    at.pass(60);
+    at.pass(5);
+    ASSERT_EQ(at.kiosk.desk().find(Part::caption)->text, "Two");
+    at.text = replaced(text, "One", "Uno");
+    at.turn(ReloadEvent{});
+    at.turn();
+    EXPECT_EQ(at.kiosk.desk().find(Part::caption)->text, "Uno");
+}
+
+TEST(Reload, AtNightStaysDark) {
+    TestKiosk at(patches("night = 20:00-08:00\n"));
+    at.minute = 22 * 60;
+    at.pass(61);
+    ASSERT_EQ(at.kiosk.visit().phase(), Phase::night);
+    at.turn(ReloadEvent{});
+    at.turn();
+    EXPECT_EQ(at.kiosk.visit().phase(), Phase::night);
+    at.stage.lose_context();
+    at.turn();
+    EXPECT_EQ(at.kiosk.visit().phase(), Phase::night);
+    at.tap(100, 100);
+    at.settle();
+    expect_colors(at, lit(at.text, at.state()));
+}
+
+// Adaptation to a lamp without any blue is impossible: that lamp cannot be had.
+std::string adapted(const std::string& more = "") {
+    return replaced("[display]\nadaptation = bradford\n" + patches(more), "lamps = E, D65, F11",
+                    "lamps = E, D65, F11, line:700");
+}
+
+TEST(RefusedScene, PutsTheLampBackWithANotice) {
+    TestKiosk at(adapted());
+    at.tap(Part::lamp, 1);
+    at.settle();
+    at.tap(Part::lamp, 3);
+    EXPECT_EQ(at.state().lamp, 1u);
+    EXPECT_TRUE(at.kiosk.desk().find(Part::lamp, 1)->on);
+    EXPECT_THAT(at.kiosk.notice(), HasSubstr("cannot"));
+    EXPECT_NE(at.kiosk.desk().find(Part::notice), nullptr);
+    EXPECT_THAT(at.lines.back(), HasSubstr("event=scene_refused error="));
+    at.settle();
+    expect_colors(at, lit(at.text, at.state()));
+    at.tap(Part::lamp, 2);
+    at.settle();
+    EXPECT_EQ(at.state().lamp, 2u) << "others go on";
+    expect_colors(at, lit(at.text, at.state()));
+}
+
+TEST(RefusedScene, InTheBoothToo) {
+    TestKiosk at(adapted());
+    at.tap(Part::mode);
+    at.settle();
+    at.tap(Part::lamp_right, 3);
+    EXPECT_EQ(at.state().booth_right, 2u);
+    EXPECT_EQ(at.state().mode, Mode::booth);
+    EXPECT_NE(at.kiosk.desk().find(Part::notice), nullptr);
+    at.settle();
+    at.tap(Part::mode);
+    at.settle();
+    expect_colors(at, lit(at.text, at.state()));
+}
+
+TEST(RefusedScene, OfATourIsLeftOut) {
+    TestKiosk at(adapted("[tour.1]\nlamp = E\ncaption = One\nseconds = 5\n"
+                         "[tour.2]\nlamp = line:700\nmaterials = cc-red\ncaption = Two\nseconds = 5\n"
+                         "[tour.3]\nlamp = D65\ncaption = Three\nseconds = 5\n"));
+    at.pass(60);
+    at.settle();
+    at.pass(5);
+    EXPECT_EQ(at.state().lamp, 0u);
+    EXPECT_NE(at.kiosk.desk().find(Part::notice), nullptr);
+    at.settle();
+    expect_colors(at, lit(at.text, at.state()));
+    at.pass(5);
+    EXPECT_EQ(at.kiosk.desk().find(Part::caption)->text, "Three");
+    at.pass(3600);
+    EXPECT_EQ(at.kiosk.visit().phase(), Phase::tour) << "it goes on for hours";
+}
+
+TEST(RefusedScene, AtTheStartIsAnError) {
+    try {
+        TestKiosk at(replaced(adapted(), "[lamp.1]\nspectrum = F11", "[lamp.1]\nspectrum = line:700"));
+        FAIL() << "nothing can be shown";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), Exit::bad_input);
+        EXPECT_THAT(error.what(), HasSubstr("cannot"));
+    }
+}
+
+} // namespace
+} // namespace metamer

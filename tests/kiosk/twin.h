@@ -1,0 +1,75 @@
+// What the CPU says that an unlit scene's objects look like in each half.
+#pragma once
+
+#include "kiosk/kiosks.h"
+#include "plan/planner.h"
+
+namespace metamer {
+
+/// Of an exhibit as it is drawn; it must live as long.
+class Twin {
+public:
+    explicit Twin(const Exhibit& drawn)
+        : exhibit_(drawn), spectra_(drawn), plan_(plan_exhibit(drawn, spectra_)) {}
+
+    EncodedRgb8 color(std::size_t object, std::size_t half) const {
+        const HalfPlan& plan = plan_.halves[std::min(half, plan_.halves.size() - 1)];
+        const ObjectSetting& setting = exhibit_.objects[object];
+        const Pixel pixel = pixel_of(exhibit_, plan.view, spectra_, setting, setting.material);
+        Sight sight{&spectra_.seen(), &spectra_.exact(), plan.view.output_of()};
+        if (plan.objects[object].method == Method::reduced)
+            sight.taps = &plan.objects[object].taps;
+        return shade_rgb8<float>(plan.objects[object].method, pixel, sight);
+    }
+
+private:
+    const Exhibit& exhibit_;
+    ExhibitSpectra spectra_;
+    Plan plan_;
+};
+
+/// The exhibit of a text with a state's lamp and strength.
+inline Exhibit lit(const std::string& text, const VisitState& state) {
+    const Exhibit base = kiosk_exhibit(text);
+    Exhibit drawn = base;
+    apply(state, base, drawn);
+    return drawn;
+}
+
+/// Points of a box a few pixels apart, and what stands there of an unlit scene: those near the split, borders
+/// of objects and under widgets are left out.
+struct Place {
+    int x, y; ///< of the picture, without any shift
+    std::size_t object, half;
+};
+inline std::vector<Place> places(const TestKiosk& at) {
+    constexpr int kStep = 7, kClear = 3;
+    const Desk& desk = at.kiosk.desk();
+    const PxBox& scene = desk.layout.scene;
+    const Play& play = at.kiosk.show().play();
+    const int column = scene.left + static_cast<int>(std::lround(at.state().split * scene.width));
+    const auto object = [&](int x, int y) {
+        const auto hit =
+            pick(play.renderer().scene(), play.exhibit(), (x + 0.5 - scene.left) / scene.width,
+                 (y + 0.5 - scene.top) / scene.height, static_cast<double>(scene.width) / scene.height);
+        return hit ? static_cast<int>(hit->object) : -1;
+    };
+    const auto hidden = [&](int x, int y) {
+        return std::any_of(desk.widgets.begin(), desk.widgets.end(), [&](const Widget& widget) {
+            return x >= widget.box.left - kClear && x < widget.box.right() + kClear &&
+                   y >= widget.box.top - kClear && y < widget.box.bottom() + kClear;
+        });
+    };
+    std::vector<Place> all;
+    for (int y = scene.top + kClear; y < scene.bottom() - kClear; y += kStep)
+        for (int x = scene.left + kClear; x < scene.right() - kClear; x += kStep) {
+            const int here = object(x, y);
+            const bool alone = object(x - kClear, y) == here && object(x + kClear, y) == here &&
+                               object(x, y - kClear) == here && object(x, y + kClear) == here;
+            if (here >= 0 && alone && !hidden(x, y) && std::abs(x - column) > kClear + 2)
+                all.push_back({x, y, static_cast<std::size_t>(here), x < column ? 0u : 1u});
+        }
+    return all;
+}
+
+} // namespace metamer
