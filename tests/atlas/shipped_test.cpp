@@ -1,4 +1,5 @@
 // The shipped atlases are what the library makes today; scripts/build-atlases writes them.
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "atlas/atlas_file.h"
@@ -6,6 +7,12 @@
 
 namespace metamer {
 namespace {
+
+// The texels are the same everywhere. Numbers beside them are sums of exp() and pow(), whose last digits are
+// the C library's own: with fused multiply-adds on x86, without on Arm.
+void expect_same(double shipped, double built) {
+    EXPECT_NEAR(shipped, built, 1e-12 * std::abs(shipped));
+}
 
 void expect_shipped(const std::string& file, const MaterialSet& set, Quantization quantization) {
     Atlas built = empty_atlas(quantization);
@@ -19,10 +26,10 @@ void expect_shipped(const std::string& file, const MaterialSet& set, Quantizatio
     for (std::size_t key = 1; key < kAtlasSize; ++key) {
         EXPECT_EQ(shipped.lamps[key].name, built.lamps[key].name);
         EXPECT_EQ(shipped.lamps[key].source, built.lamps[key].source);
-        EXPECT_DOUBLE_EQ(shipped.lamps[key].peak, built.lamps[key].peak);
+        expect_same(shipped.lamps[key].peak, built.lamps[key].peak);
         EXPECT_EQ(shipped.materials[key].name, built.materials[key].name);
         EXPECT_EQ(shipped.materials[key].source, built.materials[key].source);
-        EXPECT_DOUBLE_EQ(shipped.materials[key].scale, built.materials[key].scale);
+        expect_same(shipped.materials[key].scale, built.materials[key].scale);
     }
 }
 
