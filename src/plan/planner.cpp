@@ -30,8 +30,9 @@ struct Task {
     std::vector<Xyz> exact;
 };
 
+// A bound that nobody could see is not told to its last digit.
 std::string number(double value) {
-    return printed(value < 0.01 ? "%.1g" : "%.2f", value);
+    return printed(value < 0.01 ? "%.1g" : "%.2f", std::max(value, 0.001));
 }
 
 /// The taps of an object that carries maps serve any of its materials.
