@@ -79,7 +79,7 @@ double Kiosk::due_s() const {
     const double now = parts_.stage->now_s();
     if (!display_)
         return now + 1;
-    if (show_->fading(now))
+    if (show_->fading(frame_s_)) // the frame that ends a fade is due too
         return now;
     double due = visit_->next_s();
     if (loaded_->exhibit.kiosk.pixel_shift_px > 0 && visit_->phase() != Phase::night)

@@ -16,6 +16,17 @@ bool is_night(const std::optional<NightHours>& night, int minute) {
                                            : minute >= night->from_min || minute < night->to_min;
 }
 
+/// Where a lamp of the old shelf stands on the new one: shelves are rearranged.
+std::optional<std::size_t> same_lamp(const Exhibit& old, std::size_t index, const Exhibit& fresh) {
+    if (index >= old.kiosk.lamps.size())
+        return std::nullopt;
+    const std::string& name = old.kiosk.lamps[index].lamp.name;
+    for (std::size_t i = 0; i < fresh.kiosk.lamps.size(); ++i)
+        if (fresh.kiosk.lamps[i].lamp.name == name)
+            return i;
+    return std::nullopt;
+}
+
 /// One step of a visitor's wish, in a state of an exhibit.
 struct Wish {
     const Exhibit& exhibit;
@@ -122,16 +133,17 @@ std::string Visit::caption() const {
 }
 
 void Visit::take_over(const Exhibit& exhibit) {
+    const Exhibit& old = *exhibit_;
     exhibit_ = &exhibit;
     if (phase_ == Phase::visitor) {
         const VisitState start = start_state(exhibit);
-        const std::size_t shelf = exhibit.kiosk.lamps.size();
-        if (state_.lamp && *state_.lamp >= shelf)
-            state_.lamp = start.lamp;
-        if (state_.booth_left >= shelf)
-            state_.booth_left = start.booth_left;
-        if (state_.booth_right >= shelf)
-            state_.booth_right = start.booth_right;
+        // What nobody chose is the new exhibit's to say.
+        std::optional<std::size_t> chosen;
+        if (state_.lamp && state_.lamp != start_state(old).lamp)
+            chosen = same_lamp(old, *state_.lamp, exhibit);
+        state_.lamp = chosen ? chosen : start.lamp;
+        state_.booth_left = same_lamp(old, state_.booth_left, exhibit).value_or(start.booth_left);
+        state_.booth_right = same_lamp(old, state_.booth_right, exhibit).value_or(start.booth_right);
         state_.seen.reset();
         return;
     }

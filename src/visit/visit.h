@@ -61,6 +61,7 @@ public:
 
     /// Another exhibit, or the same anew, takes the place of the old one: what a visitor chose stays as far
     /// as it is there; a tour begins again at the next tick.
+    /// The old one must still be there.
     void take_over(const Exhibit& exhibit);
 
     /// State and scene are what they were in `good`: what was wished since, by a visitor or by the tour,
