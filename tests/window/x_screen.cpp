@@ -38,6 +38,21 @@ std::string read_line(int descriptor) {
     return line;
 }
 
+Shot part_of(Display* display, int left, int top, int width_px, int height_px) {
+    const std::unique_ptr<XImage, void (*)(XImage*)> image(
+        XGetImage(display, DefaultRootWindow(display), left, top, static_cast<unsigned>(width_px),
+                  static_cast<unsigned>(height_px), AllPlanes, ZPixmap),
+        [](XImage* old) { XDestroyImage(old); });
+    Shot shot{width_px, height_px};
+    for (int y = 0; y < height_px; ++y)
+        for (int x = 0; x < width_px; ++x) {
+            const unsigned long rgb = XGetPixel(image.get(), x, y);
+            shot.pixels.push_back({static_cast<int>(rgb >> 16 & 255), static_cast<int>(rgb >> 8 & 255),
+                                   static_cast<int>(rgb & 255)});
+        }
+    return shot;
+}
+
 } // namespace
 
 std::string missing_for_x() {
@@ -87,12 +102,12 @@ void XScreen::act(std::initializer_list<std::string> words) const {
 }
 
 std::array<int, 3> XScreen::pixel(int x, int y) const {
+    return part_of(Client().get(), x, y, 1, 1).at(0, 0);
+}
+
+Shot XScreen::shot() const {
     const Client client;
-    const std::unique_ptr<XImage, void (*)(XImage*)> image(
-        XGetImage(client.get(), DefaultRootWindow(client.get()), x, y, 1, 1, AllPlanes, ZPixmap),
-        [](XImage* old) { XDestroyImage(old); });
-    const unsigned long rgb = XGetPixel(image.get(), 0, 0);
-    return {static_cast<int>(rgb >> 16 & 255), static_cast<int>(rgb >> 8 & 255), static_cast<int>(rgb & 255)};
+    return part_of(client.get(), 0, 0, DisplayWidth(client.get(), 0), DisplayHeight(client.get(), 0));
 }
 
 void XScreen::ask_to_close(unsigned long window) const {

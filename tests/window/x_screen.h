@@ -5,11 +5,22 @@
 #include <initializer_list>
 #include <string>
 #include <sys/types.h>
+#include <vector>
 
 namespace metamer::test {
 
 /// Whether Xvfb and xdotool are there; else what is missing.
 std::string missing_for_x();
+
+/// All that stood on the screen at one moment.
+struct Shot {
+    int width_px = 0, height_px = 0;
+    std::vector<std::array<int, 3>> pixels{}; ///< red, green, blue; rows from the top
+
+    const std::array<int, 3>& at(int x, int y) const {
+        return pixels.at(static_cast<std::size_t>(y * width_px + x));
+    }
+};
 
 /// Xvfb with one screen, from construction to destruction; DISPLAY and SDL_VIDEODRIVER lead there, and no
 /// Wayland does.
@@ -24,6 +35,7 @@ public:
     void act(std::initializer_list<std::string> words) const;
     /// What stands there on the screen: red, green, blue.
     std::array<int, 3> pixel(int x, int y) const;
+    Shot shot() const;
     /// What a window manager's close button does.
     void ask_to_close(unsigned long window) const;
 

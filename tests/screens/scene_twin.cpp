@@ -1,0 +1,34 @@
+#include "screens/scene_twin.h"
+
+#include "exhibit/load.h"
+#include "methods/shade.h"
+#include "plan/object_pixels.h"
+#include "render/pick.h"
+
+namespace metamer::test {
+
+SceneTwin::SceneTwin(const std::string& ini, const std::vector<std::string>& sets)
+    : exhibit_(parse_exhibit(ini, "twin", ".", sets, nullptr, Use::kiosk)),
+      spectra_(exhibit_),
+      plan_(plan_exhibit(exhibit_, spectra_)),
+      scene_(build_scene(exhibit_)) {}
+
+std::optional<EncodedRgb8> SceneTwin::color(double x, double y, std::size_t half, double around) const {
+    const auto object = [&](double at_x, double at_y) {
+        const auto hit = pick(scene_, exhibit_, at_x, at_y, 1);
+        return hit ? std::optional(hit->object) : std::nullopt;
+    };
+    const auto here = object(x, y);
+    for (const double dx : {-around, around})
+        for (const double dy : {-around, around})
+            if (!here || object(x + dx, y + dy) != here)
+                return std::nullopt;
+    const HalfPlan& plan = plan_.halves.at(half);
+    const ObjectSetting& setting = exhibit_.objects[*here];
+    const Pixel pixel = pixel_of(exhibit_, plan.view, spectra_, setting, setting.material);
+    Sight sight{&spectra_.seen(), &spectra_.exact(), plan.view.output_of()};
+    sight.taps = &plan.objects[*here].taps;
+    return shade_rgb8<float>(plan.objects[*here].method, pixel, sight);
+}
+
+} // namespace metamer::test
