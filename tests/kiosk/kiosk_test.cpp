@@ -43,10 +43,10 @@ TEST(Kiosk, ShowsItsFirstFrameAndSaysSo) {
 }
 
 TEST(Kiosk, DrawsNothingWhileNothingChanges) {
-    TestKiosk at(patches("night = 20:00-08:00\nidle_s = 100000\n"));
+    TestKiosk at(patches("night = 20:00-08:00\nidle_s = 3600\n"));
     at.settle();
     const long frames = at.stage.frames_shown(), paintings = at.kiosk.show().overlay().paintings();
-    at.pass(3600);
+    at.pass(3599);
     EXPECT_EQ(at.stage.frames_shown(), frames);
     EXPECT_EQ(at.kiosk.show().overlay().paintings(), paintings);
 }

@@ -44,7 +44,7 @@ TEST(PictureWatch, SeesAGlError) {
 }
 
 std::string watched() {
-    return patches("idle_s = 100000\nwatch_s = 30\n");
+    return patches("idle_s = 3600\nwatch_s = 30\n");
 }
 
 TEST(Watchdog, LooksWithoutShowingAFrame) {
@@ -93,7 +93,7 @@ TEST(Watchdog, GivesUpWhereThePictureStaysWrong) {
 
 TEST(Watchdog, ComesAndGoesWithTheSetting) {
     TestKiosk at(watched());
-    at.text = patches("idle_s = 100000\n");
+    at.text = patches("idle_s = 3600\n");
     at.turn(ReloadEvent{});
     break_red(true);
     at.pass(100);

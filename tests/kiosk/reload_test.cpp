@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
         std::pair{"[scene]\nkind = media\n[accuracy]\nmethod = folded\n[lamp.1]\nspectrum = E\n",
                   "cannot draw object"},
         std::pair{"[display]\nadaptation = bradford\n[scene]\nkind = patches\nmaterials = cc-red\n[lamp.1]\n"
-                  "spectrum = line:700\n",
+                  "spectrum = line:589.3\n",
                   "cannot"}));
 
 TEST(Reload, InTheTourBeginsItAgain) {
@@ -127,10 +127,10 @@ TEST(Reload, AtNightStaysDark) {
     expect_colors(at, lit(at.text, at.state()));
 }
 
-// Adaptation to a lamp without any blue is impossible: that lamp cannot be had.
+// No eye adapts to sodium light: where adaptation is asked for, that lamp cannot be had.
 std::string adapted(const std::string& more = "") {
     return replaced("[display]\nadaptation = bradford\n" + patches(more), "lamps = E, D65, F11",
-                    "lamps = E, D65, F11, line:700");
+                    "lamps = E, D65, F11, line:589.3");
 }
 
 TEST(RefusedScene, PutsTheLampBackWithANotice) {
@@ -167,7 +167,7 @@ TEST(RefusedScene, InTheBoothToo) {
 
 TEST(RefusedScene, OfATourIsLeftOut) {
     TestKiosk at(adapted("[tour.1]\nlamp = E\ncaption = One\nseconds = 5\n"
-                         "[tour.2]\nlamp = line:700\nmaterials = cc-red\ncaption = Two\nseconds = 5\n"
+                         "[tour.2]\nlamp = line:589.3\nmaterials = cc-red\ncaption = Two\nseconds = 5\n"
                          "[tour.3]\nlamp = D65\ncaption = Three\nseconds = 5\n"));
     at.pass(60);
     at.settle();
@@ -184,7 +184,7 @@ TEST(RefusedScene, OfATourIsLeftOut) {
 
 TEST(RefusedScene, AtTheStartIsAnError) {
     try {
-        TestKiosk at(replaced(adapted(), "[lamp.1]\nspectrum = F11", "[lamp.1]\nspectrum = line:700"));
+        TestKiosk at(replaced(adapted(), "[lamp.1]\nspectrum = F11", "[lamp.1]\nspectrum = line:589.3"));
         FAIL() << "nothing can be shown";
     } catch (const Error& error) {
         EXPECT_EQ(error.status(), Exit::bad_input);

@@ -43,10 +43,11 @@ struct Place {
     std::size_t object, half;
 };
 inline std::vector<Place> places(const TestKiosk& at) {
-    constexpr int kStep = 7, kClear = 3;
+    constexpr int kClear = 3;
     const Desk& desk = at.kiosk.desk();
     const PxBox& scene = desk.layout.scene;
     const Play& play = at.kiosk.show().play();
+    const int step = std::max(7, scene.width / 48);
     const int column = scene.left + static_cast<int>(std::lround(at.state().split * scene.width));
     const auto object = [&](int x, int y) {
         const auto hit =
@@ -61,8 +62,8 @@ inline std::vector<Place> places(const TestKiosk& at) {
         });
     };
     std::vector<Place> all;
-    for (int y = scene.top + kClear; y < scene.bottom() - kClear; y += kStep)
-        for (int x = scene.left + kClear; x < scene.right() - kClear; x += kStep) {
+    for (int y = scene.top + kClear; y < scene.bottom() - kClear; y += step)
+        for (int x = scene.left + kClear; x < scene.right() - kClear; x += step) {
             const int here = object(x, y);
             const bool alone = object(x - kClear, y) == here && object(x + kClear, y) == here &&
                                object(x, y - kClear) == here && object(x, y + kClear) == here;
