@@ -1,5 +1,6 @@
 #include "kiosk/picture_watch.h"
 
+#include <array>
 #include <cstdlib>
 
 #include "base/error.h"
@@ -13,6 +14,7 @@ namespace metamer {
 namespace {
 
 constexpr int kSidePx = 16, kMostSteps = 2;
+constexpr std::array<double, 2> kStrengths{0.8, 0.5};
 
 // Rows as the thesis has them: they take no time.
 constexpr const char* kExhibit = "[atlas]\nquantization = thesis\n[scene]\nkind = patches\n"
@@ -29,6 +31,9 @@ PictureWatch::PictureWatch()
 std::string PictureWatch::look() {
     std::vector<std::uint8_t> drawn;
     try {
+        // Another picture each time: one that is stuck is wrong.
+        exhibit_.lamps[0].strength = kStrengths[looks_++ % kStrengths.size()];
+        renderer_.update();
         target_.bind();
         renderer_.draw(2 * kSidePx, kSidePx);
         drawn = target_.read_rgba();

@@ -1,4 +1,5 @@
-// The picture watchdog: a known patch, drawn, read back, and held against the CPU twin.
+// The picture watchdog: a known patch, drawn, read back, and held against the CPU twin; never the same twice
+// in a row.
 #pragma once
 
 #include <optional>
@@ -23,6 +24,7 @@ private:
     Exhibit exhibit_; ///< two patches under one lamp, by the loop and by sums on the CPU
     FrameRenderer renderer_;
     Framebuffer target_;
+    std::size_t looks_ = 0;
 };
 
 } // namespace metamer

@@ -35,6 +35,14 @@ TEST(PictureWatch, SeesAWrongColorAndWhenItIsGone) {
     EXPECT_EQ(watch.look(), "");
 }
 
+TEST(PictureWatch, SeesAPictureThatIsStuck) {
+    const Surfaceless context;
+    PictureWatch watch;
+    ASSERT_EQ(watch.look(), "");
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    EXPECT_THAT(watch.look(), HasSubstr("belongs"));
+}
+
 TEST(PictureWatch, SeesAGlError) {
     const Surfaceless context;
     PictureWatch watch;

@@ -89,14 +89,11 @@ TEST_P(Refused, KeepsTheLastGoodAndTells) {
 
 INSTANTIATE_TEST_SUITE_P(
     Reload, Refused,
-    testing::Values(
-        std::pair{"[scene]\nkind = pachtes\n", "kiosk.ini:2"}, std::pair{"\x01\xff[[[", "kiosk.ini"},
-        // Readable, and yet it cannot be planned.
-        std::pair{"[scene]\nkind = media\n[accuracy]\nmethod = folded\n[lamp.1]\nspectrum = E\n",
-                  "cannot draw object"},
-        std::pair{"[display]\nadaptation = bradford\n[scene]\nkind = patches\nmaterials = cc-red\n[lamp.1]\n"
-                  "spectrum = line:589.3\n",
-                  "cannot"}));
+    testing::Values(std::pair{"[scene]\nkind = pachtes\n", "kiosk.ini:2"},
+                    std::pair{"\x01\xff[[[", "kiosk.ini"},
+                    // Readable, and yet it cannot be planned.
+                    std::pair{"[scene]\nkind = media\n[accuracy]\nmethod = folded\n[lamp.1]\nspectrum = E\n",
+                              "cannot draw object"}));
 
 TEST(Reload, InTheTourBeginsItAgain) {
     const std::string text = patches("[tour.1]\nlamp = E\ncaption = One\nseconds = 5\n"
@@ -178,8 +175,8 @@ TEST(RefusedScene, OfATourIsLeftOut) {
     expect_colors(at, lit(at.text, at.state()));
     at.pass(5);
     EXPECT_EQ(at.kiosk.desk().find(Part::caption)->text, "Three");
-    at.pass(3600);
-    EXPECT_EQ(at.kiosk.visit().phase(), Phase::tour) << "it goes on for hours";
+    at.pass(40);
+    EXPECT_EQ(at.kiosk.visit().phase(), Phase::tour) << "round after round";
 }
 
 TEST(RefusedScene, AtTheStartIsAnError) {
