@@ -159,7 +159,7 @@ TEST_F(AtlasCommand, WhatIsNoAtlasIsRefusedByName) {
 TEST_F(AtlasCommand, WhatIsBuiltCanBeRendered) {
     output_of({"atlas", "build", "--lamps", "F11", "--materials", "crayon-red", "cc-green", "-o", "a.png"});
     write("e.ini", "[atlas]\nfile = a.png\n[scene]\nkind = patches\nmaterials = 2\n[lamp.1]\n"
-                   "spectrum = F11\n[display]\nwidth = 16\nheight = 16\n");
+                   "spectrum = F11\n[display]\nwidth = 16\nheight = 16\n[accuracy]\nmethod = spectral\n");
     output_of({"render", "e.ini", "-o", "x.png"});
     const Image image = decode_png(read("x.png"), "x.png").image;
     const json measured = json_of({"measure", "--lamp", "F11", "--material", "cc-green", "--json"});

@@ -49,11 +49,11 @@ TEST_F(Usage, TheVersionIsTheProjects) {
 }
 
 TEST_F(Usage, ACommandIsNeeded) {
-    expect_failure(
-        2, {},
-        "cannot use the command line: a command is missing, one of render, measure, plan, chart, stability, "
-        "atlas, check, "
-        "info, list; see metamer --help");
+    expect_failure(2, {},
+                   "cannot use the command line: a command is missing, one of run, render, measure, plan, "
+                   "chart, stability, "
+                   "atlas, check, "
+                   "info, list; see metamer --help");
     expect_failure(2, {"atlas"},
                    "cannot use the command line: a command is missing, one of build, show; see metamer atlas "
                    "--help");
