@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "gles/check.h"
 #include "gles/extensions.h"
+#include "gles/texture.h"
 
 namespace metamer {
 
@@ -136,6 +137,14 @@ std::vector<std::uint8_t> Framebuffer::read_rgba() const {
         std::swap_ranges(a, a + static_cast<std::ptrdiff_t>(row_bytes), b);
     }
     return rgba;
+}
+
+Framebuffer& picture_with_room(std::optional<Framebuffer>& picture, int width_px, int height_px,
+                               DepthBuffer depth) {
+    const int width = texture_side(width_px), height = texture_side(height_px);
+    if (!picture || picture->width_px() != width || picture->height_px() != height)
+        picture.emplace(width, height, depth, ColorBuffer::picture);
+    return *picture;
 }
 
 } // namespace metamer

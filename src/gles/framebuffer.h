@@ -3,6 +3,7 @@
 
 #include <GLES2/gl2.h>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "gles/handle.h"
@@ -54,5 +55,10 @@ private:
     Handle<&Framebuffer::destroy_texture> color_texture_;
     Handle<&Framebuffer::destroy_framebuffer> framebuffer_;
 };
+
+/// A `picture` with room for this many pixels in its lower left corner, its sides powers of two: the one that
+/// is there, or a new one in its place where that has other sides. Throws what Framebuffer throws.
+Framebuffer& picture_with_room(std::optional<Framebuffer>& picture, int width_px, int height_px,
+                               DepthBuffer depth);
 
 } // namespace metamer

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <GLES2/gl2.h>
+#include <bit>
 #include <cstdint>
 #include <span>
 
@@ -14,6 +15,11 @@ enum class Wrap { clamp, repeat };
 
 /// The greatest side of a texture on the oldest GPU that counts (VideoCore IV): 2048 (DESIGN.md section 5).
 inline constexpr int kMostTexturePx = 2048;
+
+/// The least power of two that has room for `px` >= 1: the side of a texture for pictures of any size.
+inline int texture_side(int px) {
+    return static_cast<int>(std::bit_ceil(static_cast<unsigned>(px)));
+}
 
 struct Sampling {
     Filter filter = Filter::linear;

@@ -1,7 +1,6 @@
 #include "kiosk/compositor.h"
 
 #include <GLES2/gl2.h>
-#include <cstdint>
 
 #include "render/meshes.h"
 #include "render/programs.h"
@@ -21,19 +20,16 @@ glm::vec4 to_glm(const Patch& patch) {
     return {patch.left, patch.bottom, patch.width, patch.height};
 }
 
-constexpr std::array<std::uint8_t, 4> kWhite{255, 255, 255, 255};
-
 } // namespace
 
 Compositor::Compositor()
     : laid_(build_program(picture_variant(false))),
       fading_(build_program(picture_variant(true))),
-      square_(unit_square()),
-      white_(1, 1, kWhite) {}
+      square_(unit_square()) {}
 
-void Compositor::begin(PxSize picture, int rotation_deg, Shift shift) {
+void Compositor::begin(PxSize picture, int rotation_deg) {
     picture_ = picture;
-    shift_ = shift;
+    shift_ = {};
     turn_ = surface_clip_from_picture_clip(rotation_deg);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_DEPTH_TEST);
@@ -70,16 +66,6 @@ void Compositor::fade(const PxBox& box, const Patch& patch, const Patch& before,
     fading_.set("u_before_uv", to_glm(before));
     fading_.set("u_share", share);
     square_.draw();
-}
-
-void Compositor::fill(const PxBox& box, float gray) {
-    // A share of white would be transparent too: the surface's alpha stays, as some compositors look at it.
-    white_.bind(kPictureUnit);
-    glDisable(GL_BLEND);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
-    lay(box, {}, gray);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glEnable(GL_BLEND);
 }
 
 } // namespace metamer

@@ -5,7 +5,6 @@
 
 #include "gles/mesh.h"
 #include "gles/program.h"
-#include "gles/texture.h"
 #include "overlay/box.h"
 #include "visit/motion.h"
 #include "window/rotation.h"
@@ -27,8 +26,8 @@ public:
     Compositor();
 
     /// Begins a frame of the bound framebuffer: blending for premultiplied alpha, everything black.
-    /// `picture`: the size as people see it.
-    void begin(PxSize picture, int rotation_deg, Shift shift);
+    /// `picture`: the size as people see it. Nothing is shifted.
+    void begin(PxSize picture, int rotation_deg);
 
     /// What follows stands this far right and down.
     void shift(Shift shift) { shift_ = shift; }
@@ -39,15 +38,11 @@ public:
     /// The same, opaque, `share` of the way from the texture at kBeforeUnit.
     void fade(const PxBox& box, const Patch& patch, const Patch& before, float share);
 
-    /// A gray, 0 .. 1 in code values.
-    void fill(const PxBox& box, float gray);
-
 private:
     void place(const Program& program, const PxBox& box, const Patch& patch) const;
 
     Program laid_, fading_;
     Mesh square_;
-    Texture white_;
     PxSize picture_;
     Shift shift_;
     std::array<float, 4> turn_{};

@@ -53,16 +53,12 @@ Widget& DeskBuilder::add(Part part, const PxBox& box, std::string text, int inde
 
 Contents DeskBuilder::contents() const {
     const bool visitor = facts_.visit->phase() == Phase::visitor;
-    Contents contents;
-    contents.lamps = static_cast<int>(facts_.shelf->kiosk.lamps.size());
-    contents.languages = static_cast<int>(facts_.words->languages().size());
-    contents.booth = state_.mode == Mode::booth;
+    Contents contents = controls(*facts_.shelf, *facts_.words, state_);
     contents.panel = product_.has_value();
     contents.expert = state_.expert;
     contents.caption = !facts_.visit->caption().empty();
     contents.hint = !contents.caption && !(visitor && contents.panel);
     contents.notice = !facts_.notice.empty();
-    contents.right_to_left = language_.right_to_left;
     return contents;
 }
 
@@ -185,6 +181,15 @@ const Widget* Desk::find(Part part, int index) const {
         return widget.part == part && widget.index == index;
     });
     return found == widgets.end() ? nullptr : &*found;
+}
+
+Contents controls(const Exhibit& shelf, const Words& words, const VisitState& state) {
+    Contents contents;
+    contents.lamps = static_cast<int>(shelf.kiosk.lamps.size());
+    contents.languages = static_cast<int>(words.languages().size());
+    contents.booth = state.mode == Mode::booth;
+    contents.right_to_left = words.language(state.language).right_to_left;
+    return contents;
 }
 
 ExpertPanel expert_panel(const Facts& facts) {

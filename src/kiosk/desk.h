@@ -45,6 +45,10 @@ struct Desk {
     const Widget* find(Part part, int index = 0) const;
 };
 
+/// What there is to lay out besides what lies over the scene: known before the plan is, which the desk tells
+/// of, and enough for the scene's box.
+Contents controls(const Exhibit& shelf, const Words& words, const VisitState& state);
+
 /// Lays out and fills in. Dark in the night: no widgets.
 Desk make_desk(const Facts& facts);
 

@@ -1,11 +1,9 @@
 #include "kiosk/kiosk.h"
 
-#include <GLES2/gl2.h>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "base/error.h"
 #include "gles/info.h"
 #include "kiosk/description.h"
 #include "render/pick.h"
@@ -65,13 +63,8 @@ ScreenSize Kiosk::screen(const Loaded& loaded) const {
     return {size.width_px - margin_px, size.height_px - margin_px, parts_.stage->px_per_mm()};
 }
 
-// Known before the plan is, which the desk tells of: nothing over the scene changes its box.
 PxSize Kiosk::scene_size(const Loaded& loaded, const Visit& visit) const {
-    Contents controls;
-    controls.lamps = static_cast<int>(loaded.exhibit.kiosk.lamps.size());
-    controls.languages = static_cast<int>(loaded.words.languages().size());
-    controls.booth = visit.state().mode == Mode::booth;
-    const PxBox scene = lay_out(screen(loaded), controls).scene;
+    const PxBox scene = lay_out(screen(loaded), controls(loaded.exhibit, loaded.words, visit.state())).scene;
     return {scene.width, scene.height};
 }
 
@@ -203,12 +196,16 @@ void Kiosk::reload() {
         parts_.loaded(*loaded_);
         parts_.log->write(Priority::info, "reloaded", {{"exhibit", loaded_->exhibit.place}});
     } catch (const Error& error) {
-        notice_ = loaded_->words.text(visit_->state().language, "notice.refused", {{"error", error.what()}});
-        parts_.log->write(Priority::error, "reload_refused", {{"error", error.what()}});
+        refuse("reload_refused", error);
     }
     hands_.let_go();
     stale_ = dirty_ = true;
     notify_ready();
+}
+
+void Kiosk::refuse(const char* event, const Error& error) {
+    notice_ = loaded_->words.text(visit_->state().language, "notice.refused", {{"error", error.what()}});
+    parts_.log->write(Priority::error, event, {{"error", error.what()}});
 }
 
 void Kiosk::rebuild(const std::string& why) {
@@ -257,8 +254,7 @@ void Kiosk::stage_scene() {
     } catch (const Error& error) {
         if (error.status() != Exit::bad_input || cue_of(*visit_) == cue_of(*good_))
             throw;
-        notice_ = loaded_->words.text(visit_->state().language, "notice.refused", {{"error", error.what()}});
-        parts_.log->write(Priority::error, "scene_refused", {{"error", error.what()}});
+        refuse("scene_refused", error);
         visit_->put_back(*good_);
         stage();
     }
@@ -268,11 +264,12 @@ void Kiosk::stage_scene() {
 bool Kiosk::move_split_only() {
     const VisitState& state = visit_->state();
     const auto inner = [](double split) { return split > 0 && split < 1; };
-    if (state.mode != Mode::methods || !inner(laid_.split) || !inner(state.split))
+    VisitState& laid = laid_.state;
+    if (state.mode != Mode::methods || !inner(laid.split) || !inner(state.split))
         return false;
-    const double before = std::exchange(laid_.split, state.split);
-    if (laid_ != state) {
-        laid_.split = before;
+    const double before = std::exchange(laid.split, state.split);
+    if (laid != state) {
+        laid.split = before;
         return false;
     }
     for (Widget& widget : desk_.widgets)
@@ -299,25 +296,21 @@ void Kiosk::lay_desk() {
 }
 
 void Kiosk::refresh() {
-    const bool changed = stale_ || laid_ != visit_->state() || laid_phase_ != visit_->phase() ||
-                         laid_step_ != visit_->step() || laid_focus_ != hands_.focus();
-    if (!changed)
+    const bool same_around = !stale_ && laid_.phase == visit_->phase() && laid_.step == visit_->step() &&
+                             laid_.focus == hands_.focus();
+    if (same_around && laid_.state == visit_->state())
         return;
     dirty_ = untold_ = true;
-    const bool same_desk = !stale_ && laid_phase_ == visit_->phase() && laid_step_ == visit_->step() &&
-                           laid_focus_ == hands_.focus() && move_split_only();
-    if (!same_desk && visit_->phase() != Phase::night) {
+    if (same_around && move_split_only())
+        return;
+    if (visit_->phase() != Phase::night) {
         stage_scene();
         lay_desk();
-        show_->paint(desk_);
-    } else if (!same_desk) {
+    } else {
         desk_.widgets.clear();
-        show_->paint(desk_);
     }
-    laid_ = visit_->state();
-    laid_phase_ = visit_->phase();
-    laid_step_ = visit_->step();
-    laid_focus_ = hands_.focus();
+    show_->paint(desk_);
+    laid_ = {visit_->state(), visit_->phase(), visit_->step(), hands_.focus()};
     stale_ = false;
 }
 

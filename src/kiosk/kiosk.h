@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "kiosk/desk.h"
 #include "kiosk/hands.h"
 #include "kiosk/picture_watch.h"
@@ -54,6 +55,7 @@ private:
     bool wakes();
     void act(const std::optional<Action>& action);
     void reload();
+    void refuse(const char* event, const Error& error);
     void rebuild(const std::string& why);
     void set_watch();
     void look_at_the_picture();
@@ -78,16 +80,19 @@ private:
     Hands hands_;
     Desk desk_;
     std::vector<Seen> objects_; ///< of the scene on show, for the keyboard
-    VisitState laid_;           ///< what the desk was laid for
     std::optional<Visit> good_; ///< the last whose scene could be drawn
-    Phase laid_phase_ = Phase::visitor;
-    std::optional<Focus> laid_focus_;
+    /// What the desk was laid for.
+    struct {
+        VisitState state;
+        Phase phase = Phase::visitor;
+        int step = -1;
+        std::optional<Focus> focus;
+    } laid_;
     std::string notice_;
     Shift shown_shift_;
     double watched_s_ = 0, frame_s_ = -1;
     long rebuilds_ = 0;
     int wrong_looks_ = 0;
-    int laid_step_ = -1;
     bool stale_ = true;  ///< the desk must be laid anew
     bool dirty_ = true;  ///< a frame must be shown
     bool untold_ = true; ///< the next frame must be described

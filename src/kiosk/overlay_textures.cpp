@@ -1,7 +1,6 @@
 #include "kiosk/overlay_textures.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 
 namespace metamer {
@@ -10,8 +9,7 @@ namespace {
 
 /// The picture in the lower left corner of power-of-two sides; its rows stay from the top.
 Texture upload(const Picture& picture) {
-    const auto width = static_cast<int>(std::bit_ceil(static_cast<unsigned>(picture.width_px))),
-               height = static_cast<int>(std::bit_ceil(static_cast<unsigned>(picture.height_px)));
+    const int width = texture_side(picture.width_px), height = texture_side(picture.height_px);
     const auto row = static_cast<std::size_t>(picture.width_px) * 4;
     std::vector<std::uint8_t> padded(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
     for (std::size_t y = 0; y < static_cast<std::size_t>(picture.height_px); ++y)
@@ -32,29 +30,21 @@ bool looks_the_same(const Widget& a, const Widget& b) {
 
 } // namespace
 
-bool OverlayTextures::update(std::span<const Widget> widgets, double unit_px) {
-    bool changed = false;
+void OverlayTextures::update(std::span<const Widget> widgets, double unit_px) {
     std::erase_if(painted_, [&](const auto& entry) {
-        const bool gone = std::none_of(widgets.begin(), widgets.end(), [&](const Widget& widget) {
+        return std::none_of(widgets.begin(), widgets.end(), [&](const Widget& widget) {
             return std::pair(widget.part, widget.index) == entry.first;
         });
-        changed |= gone;
-        return gone;
     });
     for (const Widget& widget : widgets) {
         const auto found = painted_.find({widget.part, widget.index});
         if (found != painted_.end() && found->second.unit_px == unit_px &&
-            looks_the_same(found->second.widget, widget)) {
-            changed |= found->second.widget.box != widget.box;
-            found->second.widget.box = widget.box;
+            looks_the_same(found->second.widget, widget))
             continue;
-        }
         painted_.insert_or_assign({widget.part, widget.index},
                                   Painted{widget, unit_px, upload(paint(widget, unit_px))});
         ++paintings_;
-        changed = true;
     }
-    return changed;
 }
 
 void OverlayTextures::lay(Compositor& compositor, std::span<const Widget> widgets) const {

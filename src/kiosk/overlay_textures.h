@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "gles/texture.h"
 #include "kiosk/compositor.h"
 #include "overlay/painter.h"
 
@@ -12,14 +13,12 @@ namespace metamer {
 
 class OverlayTextures {
 public:
-    /// Paints what changed since the last call and forgets what is no longer there. Returns whether anything
-    /// has to be shown anew: looks or places.
-    bool update(std::span<const Widget> widgets, double unit_px);
+    /// Paints what changed since the last call and forgets what is no longer there.
+    void update(std::span<const Widget> widgets, double unit_px);
 
     /// Lays all of them, in their order.
     void lay(Compositor& compositor, std::span<const Widget> widgets) const;
 
-    void drop() { painted_.clear(); }
     long paintings() const { return paintings_; } ///< so far: for tests
 
 private:

@@ -1,7 +1,6 @@
 #include "kiosk/play.h"
 
 #include <GLES2/gl2.h>
-#include <bit>
 #include <chrono>
 #include <cmath>
 
@@ -10,10 +9,6 @@
 namespace metamer {
 
 namespace {
-
-int power_of_two(int px) {
-    return static_cast<int>(std::bit_ceil(static_cast<unsigned>(px)));
-}
 
 // Supersampled only where a texture has room for it.
 int scale_for(PxSize side, int asked) {
@@ -36,10 +31,10 @@ PxSize Play::side_size(PxSize scene) const {
     return {side_by_side_ ? (scene.width_px + 1) / 2 : scene.width_px, scene.height_px};
 }
 
-bool Play::draw(PxSize scene) {
+void Play::draw(PxSize scene) {
     const PxSize size = side_size(scene);
     if (drawn_ == size && !changed_)
-        return false;
+        return;
     if (!renderer_)
         renderer_.emplace(exhibit_);
     else if (changed_)
@@ -51,17 +46,12 @@ bool Play::draw(PxSize scene) {
     glFinish();
     frame_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count();
     drawn_ = size;
-    return true;
 }
 
 void Play::draw_sides(int width, int height) {
     const std::size_t sides = renderer_->plan().halves.size();
     for (std::size_t i = 0; i < sides; ++i) {
-        std::optional<Framebuffer>& side = sides_[i];
-        if (!side || side->width_px() != power_of_two(width) || side->height_px() != power_of_two(height))
-            side.emplace(power_of_two(width), power_of_two(height), DepthBuffer::depth16,
-                         ColorBuffer::picture);
-        side->bind();
+        picture_with_room(sides_[i], width, height, DepthBuffer::depth16).bind();
         renderer_->draw_side(i, width, height);
     }
     if (sides == 1)

@@ -23,9 +23,9 @@ public:
     /// follows is planned and drawn with the next draw().
     void change(const std::function<void(Exhibit&)>& edit);
 
-    /// Draws what is stale; returns whether anything was. `scene`: the box's size that the scene fills.
-    /// Throws what FrameRenderer throws. Leaves another framebuffer bound.
-    bool draw(PxSize scene);
+    /// Draws what is stale. `scene`: the box's size that the scene fills. Throws what FrameRenderer throws.
+    /// Leaves another framebuffer bound.
+    void draw(PxSize scene);
 
     /// Lays the scene on the box, right of `split` (0 .. 1) the right side; out of `before`, a picture of the
     /// same box bound to kBeforeUnit, where `share` < 1.

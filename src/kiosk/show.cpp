@@ -1,18 +1,23 @@
 #include "kiosk/show.h"
 
 #include <GLES2/gl2.h>
-#include <bit>
+#include <array>
 #include <cmath>
 
 #include "exhibit/booth.h"
+#include "overlay/theme.h"
 #include "visit/visit_state.h"
 
 namespace metamer {
 
 namespace {
 
-/// Code values: the ground of the controls (the painter's), and the line over the split.
-constexpr float kGround = 20 / 255.0f, kLine = 0.85f;
+/// The line over the split.
+constexpr Srgb kLine{0xD9, 0xD9, 0xD9};
+
+Texture of_one_color(const Srgb& color) {
+    return {1, 1, std::array<std::uint8_t, 4>{color[0], color[1], color[2], 255}};
+}
 
 VisitState state_of(const Cue& cue) {
     VisitState state;
@@ -43,7 +48,8 @@ Cue cue_of(const Visit& visit) {
     return {state.mode, visit.scene(), state.lamp, state.strength, state.booth_left, state.booth_right};
 }
 
-Show::Show(const Exhibit& exhibit) : exhibit_(exhibit), own_(exhibit, false) {}
+Show::Show(const Exhibit& exhibit)
+    : exhibit_(exhibit), ground_(of_one_color(kBackdrop)), line_(of_one_color(kLine)), own_(exhibit, false) {}
 
 Play& Show::play_for(const Cue& cue) {
     if (cue.mode == Mode::booth) {
@@ -83,32 +89,27 @@ void Show::light(Play& play, const Cue& cue) {
 }
 
 void Show::keep_old_picture(PxSize scene, double split) {
-    const auto power_of_two = [](int px) {
-        return static_cast<int>(std::bit_ceil(static_cast<unsigned>(px)));
-    };
-    const int width = power_of_two(scene.width_px), height = power_of_two(scene.height_px);
-    if (!before_ || before_->width_px() != width || before_->height_px() != height)
-        before_.emplace(width, height, DepthBuffer::none, ColorBuffer::picture);
-    before_->bind();
+    const Framebuffer& before =
+        picture_with_room(before_, scene.width_px, scene.height_px, DepthBuffer::none);
+    before.bind();
     glViewport(0, 0, scene.width_px, scene.height_px);
-    compositor_.begin(scene, 0, {});
+    compositor_.begin(scene, 0);
     current_->lay(compositor_, {0, 0, scene.width_px, scene.height_px}, split, {}, 1);
-    before_patch_ = {0, 0, static_cast<float>(scene.width_px) / static_cast<float>(width),
-                     static_cast<float>(scene.height_px) / static_cast<float>(height)};
+    before_patch_ = {0, 0, static_cast<float>(scene.width_px) / static_cast<float>(before.width_px()),
+                     static_cast<float>(scene.height_px) / static_cast<float>(before.height_px())};
 }
 
-bool Show::stage(const Cue& cue, PxSize scene, double now_s) {
+void Show::stage(const Cue& cue, PxSize scene, double now_s) {
     const bool another = !cue_ || !(*cue_ == cue);
     const bool fades = another && cue_ && !only_brightness(*cue_, cue);
     if (fades)
         keep_old_picture(scene, current_->side_by_side() ? 0.5 : last_split_);
     Play* const before = current_;
-    bool drew = false;
     try {
         Play& play = play_for(cue);
         if (another)
             light(play, cue);
-        drew = play.draw(scene);
+        play.draw(scene);
         current_ = &play;
     } catch (...) {
         // Back to what worked: the caller stages it again.
@@ -123,21 +124,19 @@ bool Show::stage(const Cue& cue, PxSize scene, double now_s) {
     if (fades)
         fade_began_s_ = now_s;
     cue_ = cue;
-    return drew || fades;
 }
 
-bool Show::paint(const Desk& desk) {
-    return overlay_.update(desk.widgets, desk.layout.unit_px);
+void Show::paint(const Desk& desk) {
+    overlay_.update(desk.widgets, desk.layout.unit_px);
 }
 
 void Show::compose(const Desk& desk, PxSize picture, int rotation_deg, Shift shift, double split,
                    double now_s, bool dark) {
-    if (dark) {
-        compositor_.begin(picture, rotation_deg, {});
+    compositor_.begin(picture, rotation_deg);
+    if (dark)
         return;
-    }
-    compositor_.begin(picture, rotation_deg, {});
-    compositor_.fill({0, 0, picture.width_px, picture.height_px}, kGround);
+    ground_.bind(kPictureUnit);
+    compositor_.lay({0, 0, picture.width_px, picture.height_px}, {});
     compositor_.shift(shift);
     const double at = current_->side_by_side() ? 0.5 : split;
     last_split_ = at;
@@ -148,8 +147,10 @@ void Show::compose(const Desk& desk, PxSize picture, int rotation_deg, Shift shi
     current_->lay(compositor_, scene, at, before_patch_, before_ ? share : 1);
     const int column = scene.left + static_cast<int>(std::lround(at * scene.width));
     const int width = std::max(2, static_cast<int>(std::lround(desk.layout.unit_px / 3)));
-    if (at > 0 && at < 1)
-        compositor_.fill({column - width / 2, scene.top, width, scene.height}, kLine);
+    if (at > 0 && at < 1) {
+        line_.bind(kPictureUnit);
+        compositor_.lay({column - width / 2, scene.top, width, scene.height}, {});
+    }
     overlay_.lay(compositor_, desk.widgets);
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "gles/texture.h"
 #include "kiosk/compositor.h"
 #include "kiosk/desk.h"
 #include "kiosk/overlay_textures.h"
@@ -31,16 +32,16 @@ public:
     explicit Show(const Exhibit& exhibit);
 
     /// Draws the scene of this cue at this size, where the last one was another, and begins a cross-fade from
-    /// the old picture where more than the strength changed. Returns whether anything was drawn. Throws
-    /// bad_input where the planner refuses, failure where GL does; the last cue is to be staged again then.
-    bool stage(const Cue& cue, PxSize scene, double now_s);
+    /// the old picture where more than the strength changed. Throws bad_input where the planner refuses,
+    /// failure where GL does; the last cue is to be staged again then.
+    void stage(const Cue& cue, PxSize scene, double now_s);
 
     /// Composes a frame into the bound framebuffer: scene, split line, words. `dark`: nothing but black.
     void compose(const Desk& desk, PxSize picture, int rotation_deg, Shift shift, double split, double now_s,
                  bool dark);
 
-    /// Paints what changed of the widgets; returns whether anything did.
-    bool paint(const Desk& desk);
+    /// Paints what changed of the widgets.
+    void paint(const Desk& desk);
 
     bool fading(double now_s) const { return now_s < fade_began_s_ + kFade_s; }
 
@@ -58,6 +59,7 @@ private:
     const Exhibit& exhibit_;
     Compositor compositor_;
     OverlayTextures overlay_;
+    Texture ground_, line_; ///< behind the controls, over the split
     Play own_;
     std::optional<Play> booth_, tour_;
     std::optional<Exhibit> booth_at_one_; ///< at strength 1, for these lamps: its cards take time

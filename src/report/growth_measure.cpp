@@ -151,10 +151,9 @@ Panel wavelengths_panel(const Display& display) {
         if (entry.method == Method::reduced || entry.everybody || entry.sums() == kIntervals)
             panel.points.push_back(
                 {entry, static_cast<double>(entry.everybody ? kTapCounts[0] : entry.sums()), exhibit});
+    const Entry planned{std::string(kPlannedName), std::nullopt};
     for (const int count : {8, 16, 32, 64})
-        panel.points.push_back({{std::string(kPlannedName), std::nullopt},
-                                static_cast<double>(count),
-                                sampled_at(exhibit, count)});
+        panel.points.push_back({planned, static_cast<double>(count), sampled_at(exhibit, count)});
     return panel;
 }
 

@@ -89,25 +89,25 @@ bool SdlStage::measure() {
     return surface_ != before;
 }
 
-std::vector<Event> SdlStage::wait(double most_s) {
+const std::vector<Event>& SdlStage::wait(double most_s) {
     const double until_s = most_s < 0 ? std::numeric_limits<double>::infinity() : now_s() + most_s;
-    std::vector<Event> events;
-    take_pending(events);
-    for (double left_s; events.empty() && (left_s = until_s - now_s()) > 0;) {
-        sleep(left_s, events);
-        take_pending(events);
+    events_.clear();
+    take_pending();
+    for (double left_s; events_.empty() && (left_s = until_s - now_s()) > 0;) {
+        sleep(left_s);
+        take_pending();
     }
-    return events;
+    return events_;
 }
 
-void SdlStage::sleep(double most_s, std::vector<Event>& events) {
+void SdlStage::sleep(double most_s) {
     if (sleeps_in_sdl_) {
         // Rounded up: a rest below a millisecond is not to be waited for in circles.
         const int most_ms =
             std::isinf(most_s) ? -1 : static_cast<int>(std::ceil(std::min(most_s, 1e6) * 1e3));
         SDL_Event event;
         if (SDL_WaitEventTimeout(&event, most_ms) == 1)
-            take(event, events);
+            take(event);
     } else {
         std::unique_lock lock(mutex_);
         woken_.wait_for(lock, std::chrono::duration<double>(std::min(most_s, kPolled_s)),
@@ -115,32 +115,32 @@ void SdlStage::sleep(double most_s, std::vector<Event>& events) {
     }
 }
 
-void SdlStage::take(const SDL_Event& event, std::vector<Event>& events) {
+void SdlStage::take(const SDL_Event& event) {
     const bool sized =
         event.type == SDL_WINDOWEVENT && (event.window.event == SDL_WINDOWEVENT_SIZE_CHANGED ||
                                           event.window.event == SDL_WINDOWEVENT_DISPLAY_CHANGED);
     resized_ = ((sized || event.type == SDL_DISPLAYEVENT) && measure()) || resized_;
-    tell_size(events);
-    input_->take(event, events);
+    tell_size();
+    input_->take(event, events_);
 }
 
-void SdlStage::tell_size(std::vector<Event>& events) {
+void SdlStage::tell_size() {
     if (!std::exchange(resized_, false))
         return;
     const PxSize picture = turned(surface_, options_.rotation_deg);
-    events.emplace_back(ResizeEvent{picture.width_px, picture.height_px});
+    events_.emplace_back(ResizeEvent{picture.width_px, picture.height_px});
 }
 
-void SdlStage::take_pending(std::vector<Event>& events) {
+void SdlStage::take_pending() {
     for (SDL_Event event; SDL_PollEvent(&event) == 1;)
-        take(event, events);
-    tell_size(events);
+        take(event);
+    tell_size();
     if (!loss_told_ && context_lost()) {
         loss_told_ = true;
-        events.emplace_back(ContextLostEvent{});
+        events_.emplace_back(ContextLostEvent{});
     }
     const std::lock_guard lock(mutex_);
-    events.insert(events.end(), posted_.begin(), posted_.end());
+    events_.insert(events_.end(), posted_.begin(), posted_.end());
     posted_.clear();
 }
 

@@ -20,7 +20,7 @@ public:
     /// False: WindowOptions::still_waiting said so. Throws no_gl.
     bool open();
 
-    std::vector<Event> wait(double most_s) override;
+    const std::vector<Event>& wait(double most_s) override;
     void post(const Event& event) override;
     int surface_width_px() const override { return surface_.width_px; }
     int surface_height_px() const override { return surface_.height_px; }
@@ -38,10 +38,10 @@ private:
 
     void try_open();
     bool measure();
-    void take(const SDL_Event& event, std::vector<Event>& events);
-    void tell_size(std::vector<Event>& events);
-    void take_pending(std::vector<Event>& events);
-    void sleep(double most_s, std::vector<Event>& events);
+    void take(const SDL_Event& event);
+    void tell_size();
+    void take_pending();
+    void sleep(double most_s);
 
     WindowOptions options_;
     std::mutex video_;                  ///< held while SDL's video comes or goes: post() is another thread's
@@ -52,6 +52,7 @@ private:
     ResetStatus reset_status_ = nullptr; ///< glGetGraphicsResetStatus, where it is there
     bool sleeps_in_sdl_ = false;         ///< the driver waits for events without polling
     bool lost_ = false, loss_told_ = false, resized_ = false;
+    std::vector<Event> events_; ///< of the last wait()
 
     std::mutex mutex_; ///< guards posted_
     std::condition_variable woken_;

@@ -14,9 +14,9 @@ class Stage {
 public:
     virtual ~Stage() = default;
 
-    /// The events since the last call; waits for the first of them, `most_s` at most (0: does not wait,
-    /// negative: forever). While there is no display it goes on waiting for one.
-    virtual std::vector<Event> wait(double most_s) = 0;
+    /// The events since the last call, kept until the next; waits for the first of them, `most_s` at most (0:
+    /// does not wait, negative: forever). While there is no display it goes on waiting for one.
+    virtual const std::vector<Event>& wait(double most_s) = 0;
 
     /// Wakes wait(), from any thread, with this event (quit, reload, files changed).
     virtual void post(const Event& event) = 0;

@@ -2,7 +2,6 @@
 
 #include <GLES2/gl2.h>
 #include <algorithm>
-#include <utility>
 
 #include "window/rotation.h"
 
@@ -16,25 +15,27 @@ SurfacelessStage::SurfacelessStage(int width_px, int height_px, int rotation_deg
       context_(std::in_place),
       target_(std::in_place, width_px, height_px, DepthBuffer::depth16) {}
 
-std::vector<Event> SurfacelessStage::take_events() {
+// Both lists keep their memory.
+void SurfacelessStage::take_posted() {
     const std::lock_guard lock(mutex_);
-    return std::exchange(events_, {});
+    events_.clear();
+    events_.swap(posted_);
 }
 
-std::vector<Event> SurfacelessStage::wait(double most_s) {
-    std::vector<Event> events = take_events();
-    if (events.empty() && script_) {
+const std::vector<Event>& SurfacelessStage::wait(double most_s) {
+    take_posted();
+    if (events_.empty() && script_) {
         script_();
-        events = take_events();
+        take_posted();
     }
-    if (events.empty())
+    if (events_.empty())
         now_s_ += std::max(most_s, 0.0);
-    return events;
+    return events_;
 }
 
 void SurfacelessStage::post(const Event& event) {
     const std::lock_guard lock(mutex_);
-    events_.push_back(event);
+    posted_.push_back(event);
 }
 
 void SurfacelessStage::bind() {

@@ -18,7 +18,7 @@ class SurfacelessStage : public Stage {
 public:
     SurfacelessStage(int width_px, int height_px, int rotation_deg = 0, double px_per_mm = 4);
 
-    std::vector<Event> wait(double most_s) override;
+    const std::vector<Event>& wait(double most_s) override;
     void post(const Event& event) override;
     int surface_width_px() const override { return width_px_; }
     int surface_height_px() const override { return height_px_; }
@@ -45,14 +45,14 @@ public:
     std::vector<std::uint8_t> read_rgba() const;
 
 private:
-    std::vector<Event> take_events();
+    void take_posted();
 
     int width_px_, height_px_, rotation_deg_;
     double px_per_mm_, now_s_ = 0;
     bool lost_ = false;
     long frames_ = 0;
-    std::mutex mutex_; ///< guards events_
-    std::vector<Event> events_;
+    std::mutex mutex_; ///< guards posted_
+    std::vector<Event> posted_, events_;
     std::function<void()> script_;
     std::optional<Surfaceless> context_;
     std::optional<Framebuffer> target_;

@@ -49,20 +49,6 @@ void operator delete[](void* memory, std::size_t) noexcept {
 namespace metamer {
 namespace {
 
-/// Counts what a kiosk's turn allocates, the stage's own list of events aside: it is given to the kiosk.
-class CountingStage : public SurfacelessStage {
-public:
-    using SurfacelessStage::SurfacelessStage;
-
-    std::vector<Event> wait(double most_s) override {
-        counting = false;
-        std::vector<Event> events = SurfacelessStage::wait(most_s);
-        counting = counts;
-        return events;
-    }
-    bool counts = false;
-};
-
 class Frames : public testing::Test {
 protected:
     Frames() : stage_(640, 480), kiosk_(parts()) {}
@@ -78,9 +64,9 @@ protected:
     }
 
     void turn() {
-        stage_.counts = true;
+        counting = true;
         kiosk_.turn(0);
-        counting = stage_.counts = false;
+        counting = false;
     }
     void tap(Part part, int index) {
         const PxBox box = kiosk_.desk().find(part, index)->box;
@@ -107,7 +93,7 @@ protected:
         }
     }
 
-    CountingStage stage_;
+    SurfacelessStage stage_;
     Log log_{[](std::string_view) {}, [] { return std::chrono::steady_clock::time_point(); }, false};
     Kiosk kiosk_;
 };
