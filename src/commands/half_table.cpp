@@ -19,11 +19,8 @@ Xyz shown(const Exhibit& exhibit, const ExhibitSpectra& spectra, const HalfPlan&
     const ObjectSetting& setting = exhibit.objects[object];
     Pixel pixel = pixel_of(exhibit, half.view, spectra, setting, setting.material);
     pixel.lamps.front().strength = 1;
-    Sight sight{&spectra.seen(), &spectra.exact(), half.view.output_of()};
     const ObjectPlan& plan = half.objects[object];
-    if (plan.method == Method::reduced)
-        sight.taps = &plan.taps;
-    const auto rgb = shade<double>(plan.method, pixel, sight);
+    const auto rgb = shade<double>(plan.method, pixel, sight_of(half.view, spectra, &plan.taps));
     const auto clamped = [](double v) { return std::clamp(v, 0.0, 1.0); };
     return to_xyz(xyz_from_display_rgb(exhibit.display), {clamped(rgb.r), clamped(rgb.g), clamped(rgb.b)});
 }

@@ -48,7 +48,7 @@ Measurement measure(const Lamp& lamp, const Material& material, const Display& d
         const HalfView view = half_views(exhibit).front();
         const ObjectSetting& object = exhibit.objects.front();
         const Pixel pixel = pixel_of(exhibit, view, spectra, object, object.material);
-        const Sight sight{&spectra.seen(), &spectra.exact(), view.output_of()};
+        const Sight sight = sight_of(view, spectra);
         const Xyz xyz = shade_xyz<double>(info.method, pixel, sight);
         out.methods.push_back({info.method, xyz, delta_e_2000(xyz, out.reference),
                                shade_rgb8<float>(info.method, pixel, sight), middle(render_frame(exhibit))});

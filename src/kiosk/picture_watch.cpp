@@ -45,8 +45,8 @@ std::string PictureWatch::look() {
     for (std::size_t i = 0; i < exhibit_.objects.size(); ++i) {
         const Pixel pixel =
             pixel_of(exhibit_, plan.view, spectra, exhibit_.objects[i], exhibit_.objects[i].material);
-        const EncodedRgb8 rgb = shade_rgb8<double>(
-            plan.objects[i].method, pixel, {&spectra.seen(), &spectra.exact(), plan.view.output_of()});
+        const EncodedRgb8 rgb =
+            shade_rgb8<double>(plan.objects[i].method, pixel, sight_of(plan.view, spectra));
         const std::size_t at = (kSidePx / 2 * 2 * kSidePx + i * kSidePx + kSidePx / 2) * 4;
         const int expected[] = {rgb.r, rgb.g, rgb.b};
         for (std::size_t c = 0; c < 3; ++c)

@@ -53,9 +53,7 @@ HalfColor color_in(const Exhibit& exhibit, const HalfPlan& plan, const ExhibitSp
     for (PixelLamp& lamp : pixel.lamps)
         lamp.strength = strength > 0 ? lamp.strength / strength : 0;
     const ObjectPlan& planned = plan.objects[object];
-    Sight sight{&spectra.seen(), &spectra.exact(), plan.view.output_of()};
-    if (planned.method == Method::reduced)
-        sight.taps = &planned.taps;
+    const Sight sight = sight_of(plan.view, spectra, &planned.taps);
     const EncodedRgb8 rgb = shade_rgb8<double>(planned.method, pixel, sight);
     return {{rgb.r, rgb.g, rgb.b}, shade_xyz<double>(planned.method, pixel, sight)};
 }

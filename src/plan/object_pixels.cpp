@@ -110,6 +110,12 @@ Pixel pixel_of(const Exhibit& exhibit, const HalfView& view, const ExhibitSpectr
     return pixel;
 }
 
+Sight sight_of(const HalfView& view, const ExhibitSpectra& spectra, const Taps* taps) {
+    Sight sight{&spectra.seen(), &spectra.exact(), view.output_of()};
+    sight.taps = taps;
+    return sight;
+}
+
 std::vector<NamedPixel> pixels_of(const Exhibit& exhibit, const HalfView& view, const ExhibitSpectra& spectra,
                                   const ObjectSetting& object) {
     std::vector<int> keys = keys_shown(object);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "methods/shade.h"
 #include "plan/exhibit_spectra.h"
 #include "plan/half_view.h"
 
@@ -24,6 +25,10 @@ const ObjectSetting* other_wall(const Exhibit& exhibit, const ObjectSetting& obj
 /// object's medium where it is thickest; with the wall that the object gets light from.
 Pixel pixel_of(const Exhibit& exhibit, const HalfView& view, const ExhibitSpectra& spectra,
                const ObjectSetting& object, const MaterialSetting& material);
+
+/// What a half's pixels are computed with; `taps`: of an object's plan, read by method `reduced` alone. All three
+/// must outlive it.
+Sight sight_of(const HalfView& view, const ExhibitSpectra& spectra, const Taps* taps = nullptr);
 
 /// A pixel with a word for people: its lamps and material.
 struct NamedPixel {

@@ -49,7 +49,7 @@ Taps taps_of(const Task& task, int count) {
 
 /// Fills in delta_e_bound and worst; stops early above `enough`.
 void find_bound(const Task& task, ObjectPlan& plan, double enough = 1e9) {
-    Sight sight{&task.spectra.seen(), &task.spectra.exact(), task.view.output_of()};
+    Sight sight = sight_of(task.view, task.spectra);
     sight.output.adaptation = Matrix3::identity();
     for (std::size_t i = 0; i < task.pixels.size() && plan.delta_e_bound <= enough; ++i) {
         const NamedPixel& pixel = task.pixels[i];

@@ -78,7 +78,9 @@ struct AccuracyProbe::Stock {
 
     /// `unrounded_rows`: for loops and products.
     Sight sight(bool unrounded_rows) const {
-        Sight out{unrounded_rows ? &spectra.exact() : &spectra.seen(), &spectra.exact(), view.output_of()};
+        Sight out = sight_of(view, spectra);
+        if (unrounded_rows)
+            out.seen = &spectra.exact();
         if (const auto found = emissions.find(out.output.dominant);
             unrounded_rows && found != emissions.end())
             out.output.dominant = &found->second;

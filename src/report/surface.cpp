@@ -1,44 +1,23 @@
 #include "report/surface.h"
 
-#include <cstdint>
-#include <memory>
 #include <new>
 #include <string_view>
 
 #include <cairo-svg.h>
 
-#include "base/error.h"
+#include "image/cairo.h"
 #include "image/png.h"
-
-#ifdef __SANITIZE_ADDRESS__
-// Fontconfig keeps its pointers as offsets, where LeakSanitizer does not find them.
-extern "C" const char* __lsan_default_suppressions() {
-    return "leak:libfontconfig";
-}
-extern "C" const char* __lsan_default_options() {
-    return "print_suppressions=0";
-}
-#endif
 
 namespace metamer {
 
 namespace {
 
-struct FreeSurface {
-    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-};
-struct FreeContext {
-    void operator()(cairo_t* context) const { cairo_destroy(context); }
-};
-using Surface = std::unique_ptr<cairo_surface_t, FreeSurface>;
-
 void check(cairo_status_t status, const SurfaceText& text) {
-    if (status != CAIRO_STATUS_SUCCESS)
-        throw failure("draw", text.title, cairo_status_to_string(status));
+    check_cairo(status, "draw", text.title);
 }
 
 void draw_on(cairo_surface_t* surface, const SurfaceText& text, const std::function<void(Canvas&)>& draw) {
-    const std::unique_ptr<cairo_t, FreeContext> context(cairo_create(surface));
+    const CairoContext context(cairo_create(surface));
     cairo_set_source_rgb(context.get(), 1, 1, 1);
     cairo_paint(context.get());
     Canvas canvas(context.get());
@@ -87,7 +66,7 @@ void add_text(std::string& svg, const SurfaceText& text) {
 std::string draw_svg(int width_px, int height_px, const SurfaceText& text,
                      const std::function<void(Canvas&)>& draw) {
     std::string bytes;
-    const Surface surface(cairo_svg_surface_create_for_stream(append, &bytes, width_px, height_px));
+    const CairoSurface surface(cairo_svg_surface_create_for_stream(append, &bytes, width_px, height_px));
     check(cairo_surface_status(surface.get()), text);
     cairo_svg_surface_restrict_to_version(surface.get(), CAIRO_SVG_VERSION_1_1);
     cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
@@ -101,22 +80,11 @@ std::string draw_svg(int width_px, int height_px, const SurfaceText& text,
 
 std::string draw_png(int width_px, int height_px, const SurfaceText& text,
                      const std::function<void(Canvas&)>& draw) {
-    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width_px, height_px));
+    const CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width_px, height_px));
     check(cairo_surface_status(surface.get()), text);
     draw_on(surface.get(), text, draw);
-    cairo_surface_flush(surface.get());
     Png png;
-    png.image = {width_px, height_px, {}};
-    png.image.rgba.reserve(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px) * 4);
-    const auto* row = cairo_image_surface_get_data(surface.get());
-    const int stride = cairo_image_surface_get_stride(surface.get());
-    for (int y = 0; y < height_px; ++y, row += stride) {
-        // Cairo keeps a pixel as a native 32-bit number 0xXXRRGGBB.
-        const auto* pixels = reinterpret_cast<const std::uint32_t*>(row);
-        for (int x = 0; x < width_px; ++x)
-            for (const std::uint32_t channel : {pixels[x] >> 16, pixels[x] >> 8, pixels[x], 255u})
-                png.image.rgba.push_back(static_cast<std::uint8_t>(channel & 255u));
-    }
+    png.image = {width_px, height_px, rgba_of(surface.get())};
     png.color.srgb = true;
     png.text = {{"Title", drawable(text.title)}, {"Description", drawable(text.description)}};
     return encode_png(png, false);

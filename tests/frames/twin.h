@@ -34,9 +34,7 @@ public:
     /// Linear RGB of a pixel by the object's method.
     LinearRgb light(const ObjectSetting& object, const Pixel& pixel) const {
         const ObjectPlan& plan = plan_of(object);
-        Sight sight{&spectra_.seen(), &spectra_.exact(), view().output_of()};
-        sight.taps = &plan.taps;
-        const auto rgb = shade<float>(plan.method, pixel, sight);
+        const auto rgb = shade<float>(plan.method, pixel, sight_of(view(), spectra_, &plan.taps));
         return {static_cast<double>(rgb.r), static_cast<double>(rgb.g), static_cast<double>(rgb.b)};
     }
 

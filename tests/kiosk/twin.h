@@ -16,10 +16,8 @@ public:
         const HalfPlan& plan = plan_.halves[std::min(half, plan_.halves.size() - 1)];
         const ObjectSetting& setting = exhibit_.objects[object];
         const Pixel pixel = pixel_of(exhibit_, plan.view, spectra_, setting, setting.material);
-        Sight sight{&spectra_.seen(), &spectra_.exact(), plan.view.output_of()};
-        if (plan.objects[object].method == Method::reduced)
-            sight.taps = &plan.objects[object].taps;
-        return shade_rgb8<float>(plan.objects[object].method, pixel, sight);
+        const ObjectPlan& planned = plan.objects[object];
+        return shade_rgb8<float>(planned.method, pixel, sight_of(plan.view, spectra_, &planned.taps));
     }
 
 private:

@@ -41,9 +41,7 @@ protected:
     }
 
     double error_of(const Planned& planned, const ObjectPlan& plan, const Pixel& pixel) {
-        Sight sight{&planned.spectra.seen(), &planned.spectra.exact(),
-                    planned.plan.halves[0].view.output_of()};
-        sight.taps = &plan.taps;
+        const Sight sight = sight_of(planned.plan.halves[0].view, planned.spectra, &plan.taps);
         const Xyz shown = shown_xyz(plan.method, pixel, sight, planned.plan.fragment_bits);
         return delta_e_2000(shown, exact_xyz(pixel, planned.spectra.exact()));
     }

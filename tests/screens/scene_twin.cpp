@@ -26,9 +26,8 @@ std::optional<EncodedRgb8> SceneTwin::color(double x, double y, std::size_t half
     const HalfPlan& plan = plan_.halves.at(half);
     const ObjectSetting& setting = exhibit_.objects[*here];
     const Pixel pixel = pixel_of(exhibit_, plan.view, spectra_, setting, setting.material);
-    Sight sight{&spectra_.seen(), &spectra_.exact(), plan.view.output_of()};
-    sight.taps = &plan.objects[*here].taps;
-    return shade_rgb8<float>(plan.objects[*here].method, pixel, sight);
+    const ObjectPlan& planned = plan.objects[*here];
+    return shade_rgb8<float>(planned.method, pixel, sight_of(plan.view, spectra_, &planned.taps));
 }
 
 } // namespace metamer::test
