@@ -21,7 +21,8 @@ void check_cairo(cairo_status_t status, const char* verb, const std::string& obj
 }
 
 std::vector<std::uint8_t> rgba_of(cairo_surface_t* surface) {
-    const int width = cairo_image_surface_get_width(surface), height = cairo_image_surface_get_height(surface);
+    const int width = cairo_image_surface_get_width(surface),
+              height = cairo_image_surface_get_height(surface);
     const std::uint32_t opaque =
         cairo_image_surface_get_format(surface) == CAIRO_FORMAT_RGB24 ? 0xFF000000u : 0;
     std::vector<std::uint8_t> rgba;

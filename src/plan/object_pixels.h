@@ -26,8 +26,8 @@ const ObjectSetting* other_wall(const Exhibit& exhibit, const ObjectSetting& obj
 Pixel pixel_of(const Exhibit& exhibit, const HalfView& view, const ExhibitSpectra& spectra,
                const ObjectSetting& object, const MaterialSetting& material);
 
-/// What a half's pixels are computed with; `taps`: of an object's plan, read by method `reduced` alone. All three
-/// must outlive it.
+/// What a half's pixels are computed with; `taps`: of an object's plan, read by method `reduced` alone. All
+/// three must outlive it.
 Sight sight_of(const HalfView& view, const ExhibitSpectra& spectra, const Taps* taps = nullptr);
 
 /// A pixel with a word for people: its lamps and material.
