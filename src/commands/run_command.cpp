@@ -78,32 +78,30 @@ void run(const Options& options) {
     WindowOptions window = window_of(options, first->exhibit);
     window.still_waiting = [&](const std::string& error) {
         notify_alive();
+        notify_waiting();
         log.write(Priority::warning, "no_display", {{"error", error}});
         return !outlet.quit;
     };
     stage = open_window(window);
-    if (!stage)
-        return;
-    outlet.stage = stage.get();
-    KioskParts parts;
-    parts.stage = stage.get();
-    parts.log = &log;
-    parts.load = [&] { return first ? std::move(first) : load_kiosk(options); };
-    parts.loaded = [&](const Loaded& loaded) {
-        if (!outside.watch(loaded.exhibit.files))
-            log.write(Priority::warning, "not_watched", {{"exhibit", loaded.exhibit.place}});
-    };
-    parts.minute_of_day = local_minute_of_day;
-    if (!options.description.empty())
-        parts.describe = [&](const std::string& text) { write_file(options.description, text); };
-    {
+    if (stage) {
+        outlet.stage = stage.get();
+        KioskParts parts;
+        parts.stage = stage.get();
+        parts.log = &log;
+        parts.load = [&] { return first ? std::move(first) : load_kiosk(options); };
+        parts.loaded = [&](const Loaded& loaded) {
+            if (!outside.watch(loaded.exhibit.files))
+                log.write(Priority::warning, "not_watched", {{"exhibit", loaded.exhibit.place}});
+        };
+        parts.minute_of_day = local_minute_of_day;
+        if (!options.description.empty())
+            parts.describe = [&](const std::string& text) { write_file(options.description, text); };
         Kiosk kiosk(std::move(parts));
         while (!outlet.quit && kiosk.turn()) {
         }
     }
     notify_stopping();
     log.write(Priority::info, "stopped");
-    outlet.stage = nullptr;
 }
 
 } // namespace

@@ -41,6 +41,7 @@ Kiosk::Kiosk(KioskParts parts) : parts_(std::move(parts)) {
          {"renderer", gl_renderer()},
          {"size", std::to_string(picture().width_px) + "x" + std::to_string(picture().height_px)}});
     notify_ready();
+    notify_running();
 }
 
 Kiosk::~Kiosk() = default;
@@ -95,6 +96,8 @@ bool Kiosk::turn(double most_s) {
         rebuild("the context was lost");
     visit_->tick(parts_.stage->now_s(), parts_.minute_of_day());
     look_at_the_picture();
+    if (ends_)
+        return false;
     refresh();
     const Shift now_shift = shift();
     const bool moved = visit_->phase() != Phase::night &&
@@ -169,9 +172,11 @@ void Kiosk::take(const Event& event) {
     } else if (std::holds_alternative<DisplayGoneEvent>(event)) {
         display_ = false;
         parts_.log->write(Priority::warning, "display_gone");
+        notify_waiting();
     } else if (std::holds_alternative<DisplayBackEvent>(event)) {
         display_ = dirty_ = true;
         parts_.log->write(Priority::notice, "display_back");
+        notify_running();
     } else if (std::holds_alternative<QuitEvent>(event)) {
         ends_ = true;
     } else {
@@ -212,12 +217,17 @@ void Kiosk::rebuild(const std::string& why) {
     parts_.log->write(Priority::warning, "context_rebuilt", {{"why", why}});
     watch_.reset();
     show_.reset();
-    parts_.stage->rebuild();
+    if (!parts_.stage->rebuild()) {
+        ends_ = true;
+        return;
+    }
     show_ = std::make_unique<Show>(loaded_->exhibit);
     set_watch();
     ++rebuilds_;
     lost_ = false;
+    display_ = true; // where a window opens there is one
     stale_ = dirty_ = true;
+    notify_running();
 }
 
 void Kiosk::set_watch() {

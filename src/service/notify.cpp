@@ -1,6 +1,7 @@
 #include "service/notify.h"
 
 #include <algorithm>
+#include <string>
 #include <systemd/sd-daemon.h>
 #include <time.h>
 
@@ -19,12 +20,12 @@ void notify_ready() {
     tell("READY=1");
 }
 
-void notify_status(const std::string& status) {
-    // A line break would begin another variable.
-    std::string line = status;
-    std::replace_if(
-        line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r' || c == '\0'; }, ' ');
-    tell("STATUS=" + line);
+void notify_running() {
+    tell("STATUS=running");
+}
+
+void notify_waiting() {
+    tell("STATUS=waiting for a screen");
 }
 
 void notify_alive() {

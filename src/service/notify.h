@@ -3,14 +3,14 @@
 
 #include <chrono>
 #include <optional>
-#include <string>
 
 namespace metamer {
 
 /// READY=1: the first frame is on the screen.
 void notify_ready();
-/// STATUS=...: one line for `systemctl status`.
-void notify_status(const std::string& status);
+/// STATUS=running, STATUS=waiting for a screen: the line in `systemctl status`.
+void notify_running();
+void notify_waiting();
 /// WATCHDOG=1.
 void notify_alive();
 /// RELOADING=1 ... READY=1 are told around a reload; STOPPING=1 before the end.

@@ -173,11 +173,6 @@ bool SdlStage::context_lost() {
     return lost_;
 }
 
-void SdlStage::rebuild() {
-    if (!open())
-        throw no_gl("open", "a window", "given up");
-}
-
 double SdlStage::now_s() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }

@@ -29,7 +29,7 @@ public:
     void bind() override;
     void show() override;
     bool context_lost() override;
-    void rebuild() override;
+    bool rebuild() override { return open(); }
     double now_s() const override;
     std::string driver() const override;
 

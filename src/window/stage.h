@@ -42,8 +42,9 @@ public:
 
     /// Makes window and context anew: after a loss. Every GL object made before is gone and must have been
     /// destroyed or abandoned by its owner already. A size that came out different is wait()'s to tell.
-    /// Throws no_gl.
-    virtual void rebuild() = 0;
+    /// Returns false where it waited for a display and WindowOptions::still_waiting gave up: there is nothing
+    /// to draw on then. Throws no_gl.
+    virtual bool rebuild() = 0;
 
     /// Seconds of a steady clock.
     virtual double now_s() const = 0;

@@ -53,12 +53,15 @@ void SurfacelessStage::lose_context() {
     post(ContextLostEvent{});
 }
 
-void SurfacelessStage::rebuild() {
+bool SurfacelessStage::rebuild() {
     target_.reset();
     context_.reset();
+    if (!display_)
+        return false;
     context_.emplace();
     target_.emplace(width_px_, height_px_, DepthBuffer::depth16);
     lost_ = false;
+    return true;
 }
 
 void SurfacelessStage::resize(int width_px, int height_px) {

@@ -27,7 +27,7 @@ public:
     void bind() override;
     void show() override;
     bool context_lost() override { return lost_; }
-    void rebuild() override;
+    bool rebuild() override;
     double now_s() const override { return now_s_; }
     std::string driver() const override { return "surfaceless"; }
 
@@ -37,6 +37,8 @@ public:
     /// From now on context_lost() says so, and the next wait() once, until rebuild(). The context itself goes
     /// on: what is drawn is lost only with rebuild().
     void lose_context();
+    /// From now on rebuild() finds no display, and gives up.
+    void lose_display() { display_ = false; }
     /// Another surface, before rotation; wait() tells the picture's size.
     void resize(int width_px, int height_px);
 
@@ -49,7 +51,7 @@ private:
 
     int width_px_, height_px_, rotation_deg_;
     double px_per_mm_, now_s_ = 0;
-    bool lost_ = false;
+    bool lost_ = false, display_ = true;
     long frames_ = 0;
     std::mutex mutex_; ///< guards posted_
     std::vector<Event> posted_, events_;

@@ -225,6 +225,22 @@ TEST(Kiosk, BuildsEverythingAnewAfterALostContext) {
     EXPECT_EQ(at.state().lamp, 1u) << "the visitor notices nothing else";
 }
 
+TEST(Kiosk, EndsWhereNobodyWaitsForTheDisplayAnyMore) {
+    TestKiosk at;
+    at.stage.lose_display();
+    at.stage.lose_context();
+    EXPECT_FALSE(at.turn());
+}
+
+TEST(Kiosk, ADisplayThatComesBackWithAContext) {
+    TestKiosk at;
+    at.turn(DisplayGoneEvent{});
+    const long frames = at.stage.frames_shown();
+    at.stage.lose_context();
+    at.turn();
+    EXPECT_EQ(at.stage.frames_shown(), frames + 1) << "a window could be opened";
+}
+
 // All at once: what follows in one turn meets whatever is there.
 TEST(Kiosk, TouchesAfterALossOrAReloadInOneTurn) {
     TestKiosk at;

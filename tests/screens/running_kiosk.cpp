@@ -81,6 +81,15 @@ Json RunningKiosk::await(const std::string& what, const std::function<bool(const
     throw std::runtime_error("never came: " + what + "\n" + text + log());
 }
 
+void RunningKiosk::await_log(const std::string& part) {
+    const auto until = std::chrono::steady_clock::now() + kLong;
+    while (log().find(part) == std::string::npos) {
+        if (ended() || std::chrono::steady_clock::now() >= until)
+            throw std::runtime_error("never came: " + part + "\n" + log());
+        std::this_thread::sleep_for(kGlance);
+    }
+}
+
 void RunningKiosk::send(int signal) const {
     kill(process_, signal);
 }

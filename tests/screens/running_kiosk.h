@@ -32,6 +32,9 @@ public:
         return await("anything on the screen", [](const Json&) { return true; });
     }
 
+    /// The same for its log: waits until this stands there.
+    void await_log(const std::string& part);
+
     void send(int signal) const;
     /// Sends it and waits for the end, a long time at most: its exit status, 128 + signal when one ended it.
     int end_by(int signal);

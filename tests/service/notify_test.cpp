@@ -60,11 +60,11 @@ TEST_F(NotifyTest, SaysWhenItReloads) {
     EXPECT_THAT(heard(), testing::MatchesRegex("RELOADING=1\nMONOTONIC_USEC=[1-9][0-9]*"));
 }
 
-TEST_F(NotifyTest, AStatusIsOneLine) {
-    notify_status("showing F11");
-    EXPECT_EQ(heard(), "STATUS=showing F11");
-    notify_status("refused\nSTOPPING=1");
-    EXPECT_EQ(heard(), "STATUS=refused STOPPING=1");
+TEST_F(NotifyTest, SaysWhatItDoes) {
+    notify_waiting();
+    EXPECT_EQ(heard(), "STATUS=waiting for a screen");
+    notify_running();
+    EXPECT_EQ(heard(), "STATUS=running");
 }
 
 TEST(Notify, WithoutSystemdNothingHappens) {

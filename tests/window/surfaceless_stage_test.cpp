@@ -127,12 +127,20 @@ TEST(SurfacelessStage, ALostContextIsToldOnceUntilItIsRebuilt) {
         glGenTextures(1, &texture);
         glBindTexture(GL_TEXTURE_2D, texture);
         EXPECT_TRUE(glIsTexture(texture));
-        stage.rebuild();
+        EXPECT_TRUE(stage.rebuild());
         EXPECT_FALSE(stage.context_lost());
         EXPECT_FALSE(glIsTexture(texture)); // another context
         stage.bind();
         EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
     }
+}
+
+TEST(SurfacelessStage, GivesUpWhereTheDisplayIsLost) {
+    SurfacelessStage stage(8, 8);
+    stage.lose_context();
+    stage.lose_display();
+    EXPECT_FALSE(stage.rebuild());
+    EXPECT_TRUE(stage.context_lost());
 }
 
 } // namespace

@@ -199,6 +199,19 @@ TEST_F(Window, IsRebuilt) {
     EXPECT_THAT(input_until(*stage, "reload"), ElementsAre("reload"));
 }
 
+/// A display that goes with the context, and somebody who does not wait for it.
+TEST_F(Window, IsNotRebuiltWhereNobodyWaitsForADisplay) {
+    int asked = 0;
+    const auto stage = open({.wait_for_display = true, .still_waiting = [&](const std::string&) {
+                                 ++asked;
+                                 return false;
+                             }});
+    ASSERT_NE(stage, nullptr);
+    const Environment no_x("DISPLAY", ":4711");
+    EXPECT_FALSE(stage->rebuild());
+    EXPECT_EQ(asked, 1);
+}
+
 std::string error_of(const WindowOptions& options) {
     try {
         open_window(options);
