@@ -49,7 +49,6 @@ Exhibit build(const Settings& settings, const std::string& place, Use use,
     exhibit.scene = load_scene_kind(settings);
     const SceneKindInfo& scene = scene_kind(exhibit.scene);
     Rows rows = load_rows(settings, warnings);
-    exhibit.objects = load_objects(settings, scene, rows, place, warnings);
     exhibit.lamps = load_lamps(settings, scene, rows, place, warnings);
     exhibit.compare = load_compare(settings, exhibit.display, rows);
     exhibit.kiosk = load_kiosk(settings, rows, use == Use::kiosk, place, [&](const Setting& materials) {
@@ -59,7 +58,8 @@ Exhibit build(const Settings& settings, const std::string& place, Use use,
         changed.replace(std::move(scene_materials));
         return std::make_shared<const Exhibit>(build(changed, place, Use::kiosk, nullptr));
     });
-    exhibit.atlas = rows.atlas_for_its_lamps();
+    exhibit.objects = load_objects(settings, scene, rows, place, warnings); // after every lamp: see Rows
+    exhibit.atlas = rows.atlas();
     exhibit.materials = rows.full_materials();
     settings.each([&](const Setting& setting) { add_files(setting, exhibit.files); });
     give_cards(exhibit);

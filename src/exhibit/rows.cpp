@@ -57,7 +57,8 @@ LampSetting Rows::lamp(const Setting& setting, const std::string& text) {
         LampSetting found;
         found.lamp = find_lamp(text, setting.folder.string(), &doubts);
         found.key = add_lamp(atlas_, found.lamp);
-        full_lamps_.emplace(found.key, found.lamp);
+        if (!file_)
+            lit_by_.emplace(found.key, found.lamp);
         warn(setting, doubts);
         return found;
     });
@@ -71,24 +72,14 @@ MaterialSetting Rows::material(const Setting& setting, const std::string& text) 
         std::vector<std::string> doubts;
         MaterialSetting found;
         found.material = find_material(text, setting.folder.string(), &doubts);
-        found.key = add_material(atlas_, found.material);
+        std::vector<Lamp> lamps;
+        for (const auto& [key, lamp] : lit_by_)
+            lamps.push_back(lamp);
+        found.key = add_material(atlas_, found.material, lamps);
         full_materials_.emplace(found.key, found.material);
         warn(setting, doubts);
         return found;
     });
-}
-
-Atlas Rows::atlas_for_its_lamps() const {
-    if (file_)
-        return atlas_;
-    std::vector<Lamp> lamps;
-    for (const auto& [key, lamp] : full_lamps_)
-        lamps.push_back(lamp);
-    Atlas atlas = atlas_;
-    atlas.materials = {};
-    for (const auto& [key, material] : full_materials_) // in the order of their keys, which they get again
-        add_material(atlas, material, lamps);
-    return atlas;
 }
 
 void Rows::refuse_key(const std::string& text, const std::string& what) const {

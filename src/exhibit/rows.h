@@ -15,7 +15,8 @@
 namespace metamer {
 
 /// With an atlas file its rows stay as they are: names and keys are looked up there first, and what it does
-/// not hold goes into its free rows. Without one rows are filled in the order of the calls.
+/// not hold goes into its free rows. Without one rows are filled in the order of the calls, and a material's
+/// levels are chosen for the lamps asked for before it: ask for the lamps first.
 class Rows {
 public:
     /// `warnings` may be nullptr; else it receives one sentence per doubt about a spectrum file, with the
@@ -37,10 +38,6 @@ public:
 
     const Atlas& atlas() const { return atlas_; }
 
-    /// The same, the levels of materials chosen once more for the lamps that were asked for; an atlas file's
-    /// rows stay as they are.
-    Atlas atlas_for_its_lamps() const;
-
 private:
     void refuse_key(const std::string& text, const std::string& what) const;
     void warn(const Setting& setting, const std::vector<std::string>& doubts);
@@ -49,7 +46,7 @@ private:
     std::optional<Atlas> file_;
     std::string file_place_;
     std::map<int, Material> full_materials_;
-    std::map<int, Lamp> full_lamps_;
+    std::map<int, Lamp> lit_by_; ///< by key; none with an atlas file, whose rows know no lamps
     std::vector<std::string>* warnings_;
 };
 
