@@ -76,7 +76,7 @@ constexpr KeyInfo kKeys[] = {
      "colors that the space does not hold: cut off by component, or brought in at their hue"},
     {"display", "color_depth", choice, "bits", 0, 0, 1, color_depths, "24", "of the framebuffer; 16 is RGB565"},
     {"display", "dither", yes_no, "", 0, 0, 1, nullptr, "no", "ordered dithering to that depth: no bands in ramps"},
-    {"display", "fullscreen", yes_no, "", 0, 0, 1, nullptr, "yes", "metamer run: the whole screen; no: a window of width x height"},
+    {"display", "fullscreen", yes_no, "", 0, 0, 1, nullptr, "yes", "metamer run: the whole screen; no: a window of width x height; from the next start"},
     {"display", "rotation", choice, "degrees", 0, 0, 1, rotations, "0", "metamer run: how the screen hangs, clockwise; touch follows"},
     {"display", "diagonal", number, "inches", 2, 200, 1, nullptr, "as the display says", "metamer run: of the screen; sizes of letters and buttons follow it"},
 

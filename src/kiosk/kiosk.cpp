@@ -196,6 +196,7 @@ void Kiosk::reload() {
         show_ = std::move(show);
         good_ = visit_ = visit;
         loaded_ = std::move(fresh);
+        parts_.stage->hang(loaded_->exhibit.kiosk.rotation_deg, loaded_->exhibit.kiosk.diagonal_in);
         notice_.clear();
         set_watch();
         parts_.loaded(*loaded_);

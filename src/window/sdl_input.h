@@ -30,6 +30,8 @@ public:
 
     /// The framebuffer's size and the window's in SDL's coordinates, which differ where the desktop scales.
     void set_sizes(PxSize surface, PxSize window);
+    /// For what is taken from now on.
+    void set_rotation(int rotation_deg) { rotation_deg_ = rotation_deg; }
 
     /// Appends what this event means; nothing for most. Sizes are the caller's to watch.
     void take(const SDL_Event& event, std::vector<Event>& events);

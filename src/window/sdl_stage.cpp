@@ -89,6 +89,13 @@ bool SdlStage::measure() {
     return surface_ != before;
 }
 
+void SdlStage::hang(int rotation_deg, double diagonal_in) {
+    options_.rotation_deg = rotation_deg;
+    options_.diagonal_in = diagonal_in;
+    input_->set_rotation(rotation_deg);
+    resized_ = measure() || resized_;
+}
+
 const std::vector<Event>& SdlStage::wait(double most_s) {
     const double until_s = most_s < 0 ? std::numeric_limits<double>::infinity() : now_s() + most_s;
     events_.clear();

@@ -26,6 +26,7 @@ public:
     int surface_height_px() const override { return surface_.height_px; }
     int rotation_deg() const override { return options_.rotation_deg; }
     double px_per_mm() const override { return px_per_mm_; }
+    void hang(int rotation_deg, double diagonal_in) override;
     void bind() override;
     void show() override;
     bool context_lost() override;

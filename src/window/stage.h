@@ -31,6 +31,10 @@ public:
     /// Pixels per millimetre of the screen; 0 where nobody knows.
     virtual double px_per_mm() const = 0;
 
+    /// From now on the screen hangs so, and is as large: what WindowOptions say of both. What is told from
+    /// now on is turned so.
+    virtual void hang(int rotation_deg, double diagonal_in) = 0;
+
     /// Binds the framebuffer that show() shows, its viewport all of it.
     virtual void bind() = 0;
 

@@ -3,6 +3,7 @@
 #include <GLES2/gl2.h>
 #include <algorithm>
 
+#include "window/density.h"
 #include "window/rotation.h"
 
 namespace metamer {
@@ -14,6 +15,15 @@ SurfacelessStage::SurfacelessStage(int width_px, int height_px, int rotation_deg
       px_per_mm_(px_per_mm),
       context_(std::in_place),
       target_(std::in_place, width_px, height_px, DepthBuffer::depth16) {}
+
+double SurfacelessStage::px_per_mm() const {
+    return diagonal_in_ > 0 ? px_per_mm_of_diagonal(width_px_, height_px_, diagonal_in_) : px_per_mm_;
+}
+
+void SurfacelessStage::hang(int rotation_deg, double diagonal_in) {
+    rotation_deg_ = rotation_deg;
+    diagonal_in_ = diagonal_in;
+}
 
 // Both lists keep their memory.
 void SurfacelessStage::take_posted() {

@@ -23,7 +23,8 @@ public:
     int surface_width_px() const override { return width_px_; }
     int surface_height_px() const override { return height_px_; }
     int rotation_deg() const override { return rotation_deg_; }
-    double px_per_mm() const override { return px_per_mm_; }
+    double px_per_mm() const override;
+    void hang(int rotation_deg, double diagonal_in) override;
     void bind() override;
     void show() override;
     bool context_lost() override { return lost_; }
@@ -50,7 +51,7 @@ private:
     void take_posted();
 
     int width_px_, height_px_, rotation_deg_;
-    double px_per_mm_, now_s_ = 0;
+    double px_per_mm_, diagonal_in_ = 0, now_s_ = 0;
     bool lost_ = false, display_ = true;
     long frames_ = 0;
     std::mutex mutex_; ///< guards posted_

@@ -60,6 +60,29 @@ TEST(Reload, ClosesAPanelAndFitsTheShelf) {
     EXPECT_EQ(at.kiosk.desk().find(Part::lamp, 2), nullptr);
 }
 
+TEST(Reload, HangsTheScreenAnew) {
+    TestKiosk at;
+    const std::string upright = at.text;
+    at.tap(Part::lamp, 1);
+    at.settle();
+    at.text = "[display]\nrotation = 90\ndiagonal = 4\n" + upright;
+    at.turn(FilesChangedEvent{});
+    EXPECT_EQ(at.picture(), (PxSize{480, 640}));
+    EXPECT_DOUBLE_EQ(at.stage.px_per_mm(), 800 / (4 * 25.4)) << "sizes follow";
+    at.settle();
+    expect_colors(at, lit(at.text, at.state()));
+    at.tap(Part::lamp, 2);
+    EXPECT_EQ(at.state().lamp, 2u);
+    at.text = "[display]\nrotation = 180\n[scene]\nkind = pachtes\n";
+    at.turn(FilesChangedEvent{});
+    EXPECT_EQ(at.stage.rotation_deg(), 90) << "what is refused turns nothing";
+    at.text = upright;
+    at.turn(FilesChangedEvent{});
+    at.settle();
+    EXPECT_EQ(at.picture(), (PxSize{640, 480}));
+    expect_colors(at, lit(at.text, at.state()));
+}
+
 class Refused : public testing::TestWithParam<std::pair<const char*, const char*>> {};
 
 TEST_P(Refused, KeepsTheLastGoodAndTells) {

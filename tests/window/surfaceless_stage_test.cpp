@@ -115,6 +115,15 @@ TEST(SurfacelessStage, ResizesAndSaysSoAsPeopleSeeIt) {
     EXPECT_EQ(stage.read_rgba().size(), 64U * 32 * 4);
 }
 
+TEST(SurfacelessStage, HangsAsItIsTold) {
+    SurfacelessStage stage(300, 400, 0, 7);
+    stage.hang(270, 5);
+    EXPECT_EQ(stage.rotation_deg(), 270);
+    EXPECT_DOUBLE_EQ(stage.px_per_mm(), 500 / (5 * 25.4));
+    stage.hang(0, 0);
+    EXPECT_EQ(stage.px_per_mm(), 7) << "as it says itself";
+}
+
 TEST(SurfacelessStage, ALostContextIsToldOnceUntilItIsRebuilt) {
     SurfacelessStage stage(8, 8);
     for (int i = 0; i < 3; ++i) {

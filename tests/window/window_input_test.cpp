@@ -32,6 +32,16 @@ TEST_F(WindowInput, TheMouseIsTurnedWithThePicture) {
     }
 }
 
+TEST_F(WindowInput, TheMouseFollowsAScreenThatIsHungAnew) {
+    const auto stage = open({.rotation_deg = 180});
+    stage->hang(90, 5);
+    EXPECT_EQ(stage->rotation_deg(), 90);
+    EXPECT_DOUBLE_EQ(stage->px_per_mm(), 400 / (5 * 25.4)); // 3 : 4 : 5
+    screen_->act({"mousemove", "100", "50", "mousedown", "1"});
+    EXPECT_THAT(input_until(*stage, "down 0 50.5 219.5"), ElementsAre("down 0 50.5 219.5"));
+    screen_->act({"mouseup", "1"});
+}
+
 TEST_F(WindowInput, Keys) {
     const auto stage = open();
     screen_->act({"key", "Left", "Right", "Up", "Down", "KP_Left", "KP_Right", "KP_Up", "KP_Down"});
