@@ -12,10 +12,13 @@ endfunction()
 
 package_gzip(${PROJECT_SOURCE_DIR}/packaging/metamer.1 metamer.1 ${CMAKE_INSTALL_MANDIR}/man1)
 package_gzip(${PROJECT_SOURCE_DIR}/packaging/changelog changelog ${CMAKE_INSTALL_DOCDIR})
-install(FILES packaging/copyright README.md LICENSE-DATA.md TYPE DOC)
+install(FILES packaging/copyright LICENSE-DATA.md TYPE DOC)
 install(FILES packaging/metamer.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME metamer)
-file(GLOB documents CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md)
-install(FILES ${documents} TYPE DOC)
+# The pages for those who run an exhibit, with their pictures. They link to each other, to screens/ and to ../config.
+install(FILES docs/curators.md docs/technicians.md docs/service.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+install(FILES docs/screens/start.png docs/screens/booth.png DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs/screens)
+file(CREATE_LINK ../../metamer/config ${CMAKE_CURRENT_BINARY_DIR}/packaging/config SYMBOLIC)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/packaging/config TYPE DOC)
 # /usr/lib, whatever the libraries' folder is called.
 install(FILES config/metamer.service DESTINATION lib/systemd/system)
 install(FILES config/kiosk.ini DESTINATION ${CMAKE_INSTALL_SYSCONFDIR}/metamer)
