@@ -1,14 +1,19 @@
-// metamer check: exhibits, atlases and spectra: valid, or what is wrong and where.
+// metamer check: exhibits, languages, atlases and spectra: valid, or what is wrong and where.
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include "atlas/atlas_file.h"
 #include "base/error.h"
+#include "base/files.h"
 #include "base/names.h"
 #include "commands/command_line.h"
 #include "commands/commands.h"
+#include "exhibit/ini.h"
 #include "exhibit/load.h"
+#include "kiosk/loaded.h"
+#include "overlay/language_file.h"
 #include "plan/half_view.h"
 #include "spectra/csv.h"
 
@@ -21,8 +26,24 @@ namespace {
 std::string check_exhibit(const std::string& path, std::vector<std::string>& warnings) {
     const Exhibit exhibit = load_exhibit(path, {}, &warnings);
     half_views(exhibit); // an adaptation that cannot be
+    words_of(exhibit);   // and words that metamer run would refuse
     return "exhibit, " + counted(exhibit.objects.size(), "object") + ", " +
            counted(exhibit.lamps.size(), "lamp");
+}
+
+std::string check_language(const std::string& path) {
+    const Language language = read_language(path);
+    return "language, " + language.name + ", " + counted(language.words.size(), "word");
+}
+
+/// An exhibit's INI file and a language's are told apart by their sections.
+bool is_language(const std::string& path) {
+    const std::vector<IniSection> sections = parse_ini(read_file(path), path).sections;
+    return std::ranges::find(sections, "language", &IniSection::name) != sections.end();
+}
+
+std::string check_ini(const std::string& path, std::vector<std::string>& warnings) {
+    return is_language(path) ? check_language(path) : check_exhibit(path, warnings);
 }
 
 std::string check_atlas(const std::string& path) {
@@ -56,13 +77,14 @@ std::string check_spectra(const std::string& path, std::vector<std::string>& war
 std::string check_file(const std::string& path, std::vector<std::string>& warnings) {
     const std::string kind = lower_case(std::filesystem::path(path).extension().string());
     if (kind == ".ini")
-        return check_exhibit(path, warnings);
+        return check_ini(path, warnings);
     if (kind == ".png")
         return check_atlas(path);
     if (kind == ".csv" || kind == ".txt")
         return check_spectra(path, warnings);
-    throw bad_input("check", path,
-                    "its name ends in none of .ini (exhibit), .png (atlas), .csv and .txt (spectra)");
+    throw bad_input(
+        "check", path,
+        "its name ends in none of .ini (exhibit, language), .png (atlas), .csv and .txt (spectra)");
 }
 
 // All files are looked at, whatever is wrong with the first.
@@ -90,9 +112,10 @@ void run(const std::vector<std::string>& files) {
 
 void add_check_command(CLI::App& app) {
     auto files = std::make_shared<std::vector<std::string>>();
-    CLI::App* command =
-        app.add_subcommand("check", "exhibits, atlases, spectra: valid, or what is wrong and where");
-    command->add_option("files", *files, "exhibits (.ini), atlases (.png), spectra (.csv, .txt)")
+    CLI::App* command = app.add_subcommand(
+        "check", "exhibits, languages, atlases, spectra: valid, or what is wrong and where");
+    command
+        ->add_option("files", *files, "exhibits and languages (.ini), atlases (.png), spectra (.csv, .txt)")
         ->required()
         ->type_name("FILE...");
     command->callback([files] { run(*files); });

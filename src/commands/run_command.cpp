@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 
-#include "base/error.h"
 #include "base/files.h"
 #include "commands/command_line.h"
 #include "commands/commands.h"
@@ -26,10 +25,7 @@ struct Options {
 std::unique_ptr<Loaded> load_kiosk(const Options& options) {
     Exhibit exhibit = at_size(options.exhibit, options.size,
                               [](const ExhibitArguments& sized) { return load(sized, Use::kiosk); });
-    Words words = exhibit.kiosk.strings.empty() ? Words() : Words(exhibit.kiosk.strings);
-    if (words.language(exhibit.kiosk.language).code != exhibit.kiosk.language)
-        throw bad_input("read", exhibit.place,
-                        "language = " + exhibit.kiosk.language + " has no file in the folder of strings");
+    Words words = words_of(exhibit);
     return std::make_unique<Loaded>(Loaded{std::move(exhibit), std::move(words)});
 }
 

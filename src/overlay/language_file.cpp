@@ -1,9 +1,11 @@
 #include "overlay/language_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/names.h"
 #include "exhibit/ini.h"
 #include "image/utf8.h"
@@ -14,6 +16,19 @@ namespace {
 
 /// The sections that are read into Language's own members.
 constexpr std::string_view kSelf = "language";
+constexpr std::size_t kMostFileBytes = 1u << 20;
+
+// BCP 47 (RFC 5646 section 2.1): subtags of 1 .. 8 letters and digits with hyphens between; the first one
+// letters.
+bool is_code(std::string_view code) {
+    const std::vector<std::string> subtags = split(code, '-');
+    const auto is_subtag = [](const std::string& tag) {
+        return !tag.empty() && tag.size() <= 8 &&
+               std::ranges::all_of(tag, [](unsigned char c) { return c < 128 && std::isalnum(c); });
+    };
+    return !subtags.empty() && std::ranges::all_of(subtags, is_subtag) && subtags[0].size() >= 2 &&
+           std::ranges::none_of(subtags[0], [](unsigned char c) { return std::isdigit(c); });
+}
 
 std::set<std::string> placeholders(std::string_view text) {
     std::set<std::string> found;
@@ -109,6 +124,13 @@ Language parse_language(std::string_view text, const std::string& code, const st
             throw bad_input("read", place,
                             "\"" + word.key + "\" is missing; English: \"" + word.english + "\"");
     return language;
+}
+
+Language read_language(const std::filesystem::path& file) {
+    const std::string code = file.stem().string();
+    if (!is_code(code))
+        throw bad_input("read", file.string(), "the file's name is no language code such as en.ini");
+    return parse_language(read_file(file, kMostFileBytes), code, file.string(), word_keys());
 }
 
 } // namespace metamer

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <span>
 
 #include "base/error.h"
-#include "base/files.h"
 #include "base/names.h"
 #include "base/printed.h"
 #include "exhibit/ini.h"
@@ -22,24 +20,11 @@ namespace metamer {
 namespace {
 
 constexpr std::string_view kEnglish = "en";
-constexpr std::size_t kMostFileBytes = 1u << 20;
 
 Language built_in(std::string_view code, const std::vector<WordKey>& english) {
     const std::string file = std::string(code) + ".ini";
     return parse_language(metamer_overlay_files::embedded(file), std::string(code), "the built-in " + file,
                           english);
-}
-
-// BCP 47 (RFC 5646 section 2.1): subtags of 1 .. 8 letters and digits with hyphens between; the first one
-// letters.
-bool is_code(std::string_view code) {
-    const std::vector<std::string> subtags = split(code, '-');
-    const auto is_subtag = [](const std::string& tag) {
-        return !tag.empty() && tag.size() <= 8 &&
-               std::ranges::all_of(tag, [](unsigned char c) { return c < 128 && std::isalnum(c); });
-    };
-    return !subtags.empty() && std::ranges::all_of(subtags, is_subtag) && subtags[0].size() >= 2 &&
-           std::ranges::none_of(subtags[0], [](unsigned char c) { return std::isdigit(c); });
 }
 
 std::vector<std::filesystem::path> language_files(const std::filesystem::path& folder) {
@@ -82,13 +67,8 @@ Words::Words() {
 }
 
 Words::Words(const std::filesystem::path& folder) {
-    for (const std::filesystem::path& file : language_files(folder)) {
-        const std::string code = file.stem().string();
-        if (!is_code(code))
-            throw bad_input("read", file.string(), "the file's name is no language code such as en.ini");
-        languages_.push_back(
-            parse_language(read_file(file, kMostFileBytes), code, file.string(), word_keys()));
-    }
+    for (const std::filesystem::path& file : language_files(folder))
+        languages_.push_back(read_language(file));
     if (std::ranges::find(languages_, kEnglish, &Language::code) == languages_.end())
         languages_.push_back(built_in(kEnglish, word_keys()));
     sort_languages(languages_);

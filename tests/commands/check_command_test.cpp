@@ -41,6 +41,37 @@ TEST_F(Check, EveryShippedExhibitIsValid) {
         EXPECT_THAT(out, HasSubstr(arguments[i] + ": valid exhibit, "));
 }
 
+TEST_F(Check, EveryShippedLanguageIsValid) {
+    const std::string folder = METAMER_SOURCE_DIR "/config/strings/";
+    EXPECT_THAT(output_of({"check", folder + "de.ini"}),
+                StartsWith(folder + "de.ini: valid language, Deutsch, "));
+    for (const auto& entry : fs::directory_iterator(folder))
+        EXPECT_THAT(output_of({"check", entry.path().string()}), HasSubstr(": valid language, "));
+}
+
+TEST_F(Check, ALanguageThatLacksAWord) {
+    write("it.ini", "[language]\nname = Italiano\n");
+    expect_failure_like(2, {"check", "it.ini"},
+                        StartsWith("metamer: cannot read it.ini: \"half.numbers\" is missing; English: "));
+    write("1.ini", "[language]\nname = Italiano\n");
+    expect_failure(2, {"check", "1.ini"},
+                   "cannot read 1.ini: the file's name is no language code such as en.ini");
+}
+
+// What metamer run would refuse.
+TEST_F(Check, TheWordsOfAnExhibit) {
+    write("kiosk.ini", read("one.ini") + "[kiosk]\nlanguage = xx\n");
+    expect_failure(2, {"check", "kiosk.ini"},
+                   "cannot read kiosk.ini: language = xx has no file in the folder of strings");
+    fs::create_directory(folder_ / "strings");
+    write("strings/xx.ini", "[language]\nname = X\n");
+    write("kiosk.ini", read("one.ini") + "[kiosk]\nlanguage = xx\nstrings = strings\n");
+    expect_failure_like(2, {"check", "kiosk.ini"}, StartsWith("metamer: cannot read strings/xx.ini: \""));
+    fs::copy_file(METAMER_SOURCE_DIR "/config/strings/en.ini", folder_ / "strings/xx.ini",
+                  fs::copy_options::overwrite_existing);
+    EXPECT_EQ(output_of({"check", "kiosk.ini"}), "kiosk.ini: valid exhibit, 1 object, 1 lamp\n");
+}
+
 TEST_F(Check, OneBadFileIsOneLine) {
     expect_failure(2, {"check", "typo.ini"},
                    "cannot read typo.ini:2: unknown key \"knd\" in [scene]; did you mean \"kind\"?");
@@ -63,8 +94,8 @@ TEST_F(Check, AllFilesAreLookedAt) {
 TEST_F(Check, KindsGoByTheNamesEnding) {
     write("notes.md", "");
     expect_failure(2, {"check", "notes.md"},
-                   "cannot check notes.md: its name ends in none of .ini (exhibit), .png (atlas), .csv and "
-                   ".txt (spectra)");
+                   "cannot check notes.md: its name ends in none of .ini (exhibit, language), .png (atlas), "
+                   ".csv and .txt (spectra)");
     write("LAMP.CSV", kFlatLamp);
     EXPECT_THAT(output_of({"check", "LAMP.CSV"}), StartsWith("LAMP.CSV: valid spectra, "));
 }

@@ -24,7 +24,7 @@ opens() {
     env -u DISPLAY -u WAYLAND_DISPLAY SDL_VIDEODRIVER=none "$metamer" run "$1" >log 2>&1
     [ $? = 3 ] || expect "run $1" "exit 3, no display" "$(cat log)"
 }
-for file in *.ini *.csv; do
+for file in *.ini *.csv strings/it.ini; do
     "$metamer" check "$file" >log 2>&1 || expect "check $file" "exit 0" "$(cat log)"
 done
 for file in *.ini; do
@@ -33,7 +33,7 @@ done
 
 sed -i '/^close = /d' strings/it.ini
 expect_has "a word that is missing" 'it.ini: "button.close" is missing; English: "Close"' \
-    "$("$metamer" run language.ini 2>&1)"
+    "$("$metamer" check language.ini 2>&1)"
 sed 's/^lamp = D65/lamp = F2/' tour.ini >other.ini
 expect_has "a lamp that is not on the shelf" "lamp = F2 is not on the shelf" "$("$metamer" check other.ini 2>&1)"
 

@@ -55,7 +55,7 @@ KioskParts Run::parts() {
 std::unique_ptr<Loaded> Run::load() const {
     std::vector<std::string> doubts;
     Exhibit exhibit = load_exhibit(world_.exhibit(), {}, &doubts, Use::kiosk);
-    Words words = exhibit.kiosk.strings.empty() ? Words() : Words(exhibit.kiosk.strings);
+    Words words = words_of(exhibit);
     return std::make_unique<Loaded>(Loaded{std::move(exhibit), std::move(words)});
 }
 
