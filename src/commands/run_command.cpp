@@ -1,5 +1,4 @@
 // metamer run: the kiosk.
-#include <atomic>
 #include <ctime>
 #include <memory>
 #include <optional>
@@ -8,6 +7,7 @@
 #include "commands/command_line.h"
 #include "commands/commands.h"
 #include "kiosk/kiosk.h"
+#include "kiosk/outlet.h"
 #include "service/notify.h"
 #include "service/signals.h"
 
@@ -22,25 +22,6 @@ struct Options {
     bool wait = false;
 };
 
-std::unique_ptr<Loaded> load_kiosk(const Options& options) {
-    Exhibit exhibit = at_size(options.exhibit, options.size,
-                              [](const ExhibitArguments& sized) { return load(sized, Use::kiosk); });
-    Words words = words_of(exhibit);
-    return std::make_unique<Loaded>(Loaded{std::move(exhibit), std::move(words)});
-}
-
-WindowOptions window_of(const Options& options, const Exhibit& exhibit) {
-    WindowOptions window;
-    if (options.size || !exhibit.kiosk.fullscreen) {
-        window.width_px = exhibit.display.width_px;
-        window.height_px = exhibit.display.height_px;
-    }
-    window.rotation_deg = exhibit.kiosk.rotation_deg;
-    window.diagonal_in = exhibit.kiosk.diagonal_in;
-    window.wait_for_display = options.wait;
-    return window;
-}
-
 int local_minute_of_day() {
     const std::time_t now = std::time(nullptr);
     std::tm local{};
@@ -48,56 +29,81 @@ int local_minute_of_day() {
     return 60 * local.tm_hour + local.tm_min;
 }
 
-/// What the outside tells: to the stage, once there is one.
-struct Outlet {
-    std::atomic<Stage*> stage{nullptr};
-    std::atomic<bool> quit{false};
+class Run {
+public:
+    explicit Run(const Options& options) : options_(options) {}
 
-    void tell(Outside what) {
-        if (what == Outside::quit)
-            quit = true;
-        if (Stage* told = stage)
-            told->post(what == Outside::quit     ? Event(QuitEvent{})
-                       : what == Outside::reload ? Event(ReloadEvent{})
-                                                 : Event(FilesChangedEvent{}));
-    }
+    /// From the first load to the end.
+    void live();
+
+private:
+    std::unique_ptr<Loaded> load();
+    bool still_waiting(const std::string& error);
+    WindowOptions window_of(const Exhibit& exhibit);
+    KioskParts parts(std::unique_ptr<Loaded>& first);
+
+    const Options& options_;
+    Log log_;
+    Outlet outlet_;
+    std::unique_ptr<Stage> stage_;
+    OutsideWatch outside_{[this](Outside what) { outlet_.tell(what); }}; ///< goes first: it tells the others
 };
 
-void run(const Options& options) {
-    std::unique_ptr<Loaded> first = load_kiosk(options); // what cannot be read is told before a window opens
-    if (!options.description.empty())
-        check_output(options.description);
-    Log log;
-    Outlet outlet;
-    std::unique_ptr<Stage> stage;
-    OutsideWatch outside([&](Outside what) { outlet.tell(what); });
-    WindowOptions window = window_of(options, first->exhibit);
-    window.still_waiting = [&](const std::string& error) {
-        notify_alive();
-        notify_waiting();
-        log.write(Priority::warning, "no_display", {{"error", error}});
-        return !outlet.quit;
-    };
-    stage = open_window(window);
-    if (stage) {
-        outlet.stage = stage.get();
-        KioskParts parts;
-        parts.stage = stage.get();
-        parts.log = &log;
-        parts.load = [&] { return first ? std::move(first) : load_kiosk(options); };
-        parts.loaded = [&](const Loaded& loaded) {
-            if (!outside.watch(loaded.exhibit.files))
-                log.write(Priority::warning, "not_watched", {{"exhibit", loaded.exhibit.place}});
-        };
-        parts.minute_of_day = local_minute_of_day;
-        if (!options.description.empty())
-            parts.describe = [&](const std::string& text) { write_file(options.description, text); };
-        Kiosk kiosk(std::move(parts));
-        while (!outlet.quit && kiosk.turn()) {
+std::unique_ptr<Loaded> Run::load() {
+    // Watched before they are read: what is changed from then on is told, and so is what mends a refused one.
+    if (!outside_.watch(exhibit_files(options_.exhibit.path, options_.exhibit.sets)))
+        log_.write(Priority::warning, "not_watched", {{"exhibit", options_.exhibit.path}});
+    Exhibit exhibit = at_size(options_.exhibit, options_.size,
+                              [](const ExhibitArguments& sized) { return metamer::load(sized, Use::kiosk); });
+    Words words = words_of(exhibit);
+    return std::make_unique<Loaded>(Loaded{std::move(exhibit), std::move(words)});
+}
+
+bool Run::still_waiting(const std::string& error) {
+    notify_alive();
+    notify_waiting();
+    log_.write(Priority::warning, "no_display", {{"error", error}});
+    return !outlet_.quit();
+}
+
+WindowOptions Run::window_of(const Exhibit& exhibit) {
+    WindowOptions window;
+    if (options_.size || !exhibit.kiosk.fullscreen) {
+        window.width_px = exhibit.display.width_px;
+        window.height_px = exhibit.display.height_px;
+    }
+    window.rotation_deg = exhibit.kiosk.rotation_deg;
+    window.diagonal_in = exhibit.kiosk.diagonal_in;
+    window.wait_for_display = options_.wait;
+    window.still_waiting = [this](const std::string& error) { return still_waiting(error); };
+    return window;
+}
+
+/// `first` is taken by the first load.
+KioskParts Run::parts(std::unique_ptr<Loaded>& first) {
+    KioskParts parts;
+    parts.stage = stage_.get();
+    parts.log = &log_;
+    parts.load = [this, &first] { return first ? std::move(first) : load(); };
+    parts.minute_of_day = local_minute_of_day;
+    if (!options_.description.empty())
+        parts.describe = [this](const std::string& text) { write_file(options_.description, text); };
+    return parts;
+}
+
+void Run::live() {
+    std::unique_ptr<Loaded> first = load(); // what cannot be read is told before a window opens
+    if (!options_.description.empty())
+        check_output(options_.description);
+    stage_ = open_window(window_of(first->exhibit));
+    if (stage_) {
+        outlet_.lead_to(*stage_);
+        Kiosk kiosk(parts(first));
+        while (!outlet_.quit() && kiosk.turn()) {
         }
     }
     notify_stopping();
-    log.write(Priority::info, "stopped");
+    log_.write(Priority::info, "stopped");
 }
 
 } // namespace
@@ -113,7 +119,7 @@ void add_run_command(CLI::App& app) {
         ->add_option("--describe", options->description,
                      "write what is on the screen there, as JSON, whenever it changes")
         ->type_name("F.json");
-    command->callback([options] { run(*options); });
+    command->callback([options] { Run(*options).live(); });
 }
 
 } // namespace metamer

@@ -1,11 +1,13 @@
 #include "exhibit/load.h"
 
+#include "base/error.h"
 #include "base/files.h"
 #include "base/names.h"
 #include "base/numbers.h"
 #include "exhibit/booth.h"
 #include "exhibit/ini.h"
 #include "exhibit/load_parts.h"
+#include "spectra/spectrum_file.h"
 
 namespace metamer_exhibit_files {
 std::string_view embedded(std::string_view name);
@@ -16,6 +18,7 @@ namespace metamer {
 namespace {
 
 constexpr std::size_t kMostBytes = 1u << 20;
+constexpr const char* kBuiltInPlace = "the built-in crayons.ini";
 
 } // namespace
 
@@ -26,18 +29,45 @@ Setting unwritten(std::string_view section, std::string_view key, const std::str
 
 namespace {
 
-// What a value names that is a file: all of it, or pieces with commas between, `#column` aside.
+// The files that a value names, there or not.
 void add_files(const Setting& setting, std::vector<std::filesystem::path>& files) {
-    using enum ValueKind;
-    const ValueKind kind = setting.info->kind;
-    if (kind != file && kind != lamp && kind != lamps && kind != material && kind != materials)
-        return;
-    for (const std::string& piece : metamer::split(setting.value, ',')) {
-        const std::string_view name = trimmed(std::string_view(piece).substr(0, piece.find('#')));
-        std::error_code unreadable; // then it is no file of ours
-        if (!name.empty() && std::filesystem::exists(setting.folder / name, unreadable))
-            files.push_back(setting.folder / name);
+    const auto add_spectrum = [&](const std::string& text) {
+        if (const std::string path = path_named(trimmed(text)); !path.empty())
+            files.push_back((setting.folder / path).lexically_normal()); // as it is read
+    };
+    switch (setting.info->kind) {
+    case ValueKind::file:
+        if (!setting.value.empty())
+            files.push_back(setting.folder / setting.value);
+        break;
+    case ValueKind::lamp:
+    case ValueKind::material:
+        add_spectrum(setting.value);
+        break;
+    case ValueKind::lamps:
+    case ValueKind::materials:
+        for (const std::string& piece : split(setting.value, ','))
+            add_spectrum(piece);
+        break;
+    default:
+        break;
     }
+}
+
+Settings parse_settings(std::string_view text, const std::string& place, const std::filesystem::path& folder,
+                        const std::vector<std::string>& sets) {
+    Settings settings(parse_ini(text, place), place, folder);
+    for (const std::string& set : sets)
+        settings.set(set);
+    return settings;
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& path) {
+    return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+}
+
+std::string_view built_in() {
+    return metamer_exhibit_files::embedded("crayons.ini");
 }
 
 Exhibit build(const Settings& settings, const std::string& place, Use use,
@@ -70,24 +100,35 @@ Exhibit build(const Settings& settings, const std::string& place, Use use,
 
 Exhibit parse_exhibit(std::string_view text, const std::string& place, const std::filesystem::path& folder,
                       const std::vector<std::string>& sets, std::vector<std::string>* warnings, Use use) {
-    Settings settings(parse_ini(text, place), place, folder);
-    for (const std::string& set : sets)
-        settings.set(set);
-    return build(settings, place, use, warnings);
+    return build(parse_settings(text, place, folder, sets), place, use, warnings);
 }
 
 Exhibit load_exhibit(const std::filesystem::path& path, const std::vector<std::string>& sets,
                      std::vector<std::string>* warnings, Use use) {
-    const std::filesystem::path folder =
-        path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    Exhibit exhibit = parse_exhibit(read_file(path, kMostBytes), path.string(), folder, sets, warnings, use);
+    Exhibit exhibit =
+        parse_exhibit(read_file(path, kMostBytes), path.string(), folder_of(path), sets, warnings, use);
     exhibit.files.insert(exhibit.files.begin(), path);
     return exhibit;
 }
 
 Exhibit default_exhibit(const std::vector<std::string>& sets, std::vector<std::string>* warnings, Use use) {
-    return parse_exhibit(metamer_exhibit_files::embedded("crayons.ini"), "the built-in crayons.ini", ".",
-                         sets, warnings, use);
+    return parse_exhibit(built_in(), kBuiltInPlace, ".", sets, warnings, use);
+}
+
+std::vector<std::filesystem::path> exhibit_files(const std::filesystem::path& path,
+                                                 const std::vector<std::string>& sets) {
+    std::vector<std::filesystem::path> files;
+    if (!path.empty())
+        files.push_back(path);
+    try {
+        const Settings settings =
+            path.empty() ? parse_settings(built_in(), kBuiltInPlace, ".", sets)
+                         : parse_settings(read_file(path, kMostBytes), path.string(), folder_of(path), sets);
+        settings.each([&](const Setting& setting) { add_files(setting, files); });
+    } catch (const Error&) {
+        // Then it is the INI file itself that must change first.
+    }
+    return files;
 }
 
 } // namespace metamer

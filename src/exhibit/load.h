@@ -36,4 +36,10 @@ Exhibit parse_exhibit(std::string_view text, const std::string& place, const std
 Exhibit default_exhibit(const std::vector<std::string>& sets = {},
                         std::vector<std::string>* warnings = nullptr, Use use = Use::frame);
 
+/// Every file that such an exhibit is read from, there or not: the INI file, and what it and `sets` name:
+/// atlas, maps, spectra, the folder of strings. What is wrong with them does not matter; where the INI file
+/// cannot be read, or has a key that is unknown, it is the only one. Without a path: of the built-in exhibit.
+std::vector<std::filesystem::path> exhibit_files(const std::filesystem::path& path,
+                                                 const std::vector<std::string>& sets = {});
+
 } // namespace metamer

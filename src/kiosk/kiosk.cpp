@@ -26,7 +26,6 @@ std::vector<Seen> objects_of(const Exhibit& exhibit) {
 
 Kiosk::Kiosk(KioskParts parts) : parts_(std::move(parts)) {
     loaded_ = parts_.load();
-    parts_.loaded(*loaded_);
     visit_.emplace(loaded_->exhibit, parts_.stage->now_s());
     visit_->tick(parts_.stage->now_s(), parts_.minute_of_day());
     show_ = std::make_unique<Show>(loaded_->exhibit);
@@ -199,7 +198,6 @@ void Kiosk::reload() {
         parts_.stage->hang(loaded_->exhibit.kiosk.rotation_deg, loaded_->exhibit.kiosk.diagonal_in);
         notice_.clear();
         set_watch();
-        parts_.loaded(*loaded_);
         parts_.log->write(Priority::info, "reloaded", {{"exhibit", loaded_->exhibit.place}});
     } catch (const Error& error) {
         refuse("reload_refused", error);

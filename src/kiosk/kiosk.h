@@ -22,7 +22,6 @@ struct KioskParts {
     Stage* stage;                                  ///< not owned
     Log* log;                                      ///< not owned
     std::function<std::unique_ptr<Loaded>()> load; ///< throws bad_input; called at start and for each reload
-    std::function<void(const Loaded&)> loaded;     ///< after each load that is taken over (watches its files)
     std::function<int()> minute_of_day;            ///< local time, 0 .. 1439
     std::function<void(const std::string&)> describe; ///< what is shown, as JSON, whenever it changed
 };

@@ -80,6 +80,10 @@ bool names_file(std::string_view name) {
     return name.find('/') != std::string_view::npos || has_table_ending(take_apart(name).path);
 }
 
+std::string path_named(std::string_view name) {
+    return names_file(name) ? take_apart(name).path : std::string();
+}
+
 Lamp lamp_from_file(std::string_view name, const std::string& folder) {
     Found found = find_in_file(name, folder, SpectrumKind::emission);
     return {std::string(name), description_of(found), source_of(found, name), {std::move(found.curve), {}}};

@@ -12,6 +12,9 @@ namespace metamer {
 /// Whether a name is meant as a path: it has a `/`, or ends in .csv or .txt (before `#column`), case aside.
 bool names_file(std::string_view name);
 
+/// That path, without `#column`; empty where the name is not meant as one.
+std::string path_named(std::string_view name);
+
 /// The spectrum of a file (read_spectra). Without `#column` the file must hold one spectrum. Relative paths
 /// are taken from `folder`. The name is kept as typed. Throws bad_input for what read_spectra refuses, and
 /// for a column that is missing or left open, naming the columns that there are.

@@ -58,7 +58,6 @@ protected:
         parts.stage = &stage_;
         parts.log = &log_;
         parts.load = [] { return std::make_unique<Loaded>(Loaded{kiosk_exhibit(patches()), all_words()}); };
-        parts.loaded = [](const Loaded&) {};
         parts.minute_of_day = [] { return 720; };
         return parts;
     }

@@ -36,7 +36,6 @@ TEST(Kiosk, ShowsItsFirstFrameAndSaysSo) {
     TestKiosk at;
     EXPECT_EQ(at.stage.frames_shown(), 1);
     EXPECT_EQ(at.loads, 1);
-    EXPECT_EQ(at.watched, "kiosk.ini");
     EXPECT_THAT(at.lines, ElementsAre(testing::StartsWith("event=shown driver=surfaceless renderer=")));
     EXPECT_THAT(at.described, HasSubstr("\"mode\": \"methods\""));
     expect_colors(at, lit(at.text, at.state()));

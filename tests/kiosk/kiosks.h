@@ -35,7 +35,6 @@ public:
             ++loads;
             return std::make_unique<Loaded>(Loaded{kiosk_exhibit(text), all_words()});
         };
-        parts.loaded = [this](const Loaded& loaded) { watched = loaded.exhibit.place; };
         parts.minute_of_day = [this] { return minute; };
         parts.describe = [this](const std::string& now) { described = now; };
         return parts;
@@ -85,7 +84,7 @@ public:
 
     std::string text;
     int minute = 12 * 60, loads = 0;
-    std::string watched, described;
+    std::string described;
     std::vector<std::string> lines;
     SurfacelessStage stage;
 

@@ -77,6 +77,25 @@ TEST_F(Service, TakesChangesOver) {
     EXPECT_EQ(kiosk_->end_by(SIGTERM), 0) << kiosk_->log();
 }
 
+/// What mends a refused exhibit need not be its INI file.
+TEST_F(Service, AwaitsWhatARefusedExhibitNames) {
+    start(kScreen);
+    const auto noticed = [](const std::string& what) {
+        return [what](const Json& now) {
+            const Json notice = widget(now, "notice");
+            return !notice.is_null() && notice.at("text").get<std::string>().find(what) != std::string::npos;
+        };
+    };
+    write_exhibit(with_shelf("A2800, own.csv"));
+    kiosk_->await("a lamp that is not there", noticed("no such file"));
+    std::ofstream(folder_ / "own.csv") << "wavelength_nm,own\n400,1\n390,1\n";
+    kiosk_->await("a lamp that is wrong", noticed("own.csv:3"));
+    std::ofstream(folder_ / "own.csv") << "wavelength_nm,own\n390,1\n700,1\n";
+    const Json told = kiosk_->await("A2800 first", first_lamp("Light bulb"));
+    EXPECT_TRUE(widget(told, "notice").is_null());
+    EXPECT_EQ(kiosk_->end_by(SIGTERM), 0) << kiosk_->log();
+}
+
 TEST_F(Service, GoesOnATour) {
     start(kScreen,
           std::string(test::kPatches) +

@@ -87,5 +87,22 @@ TEST_F(Wayland, AppearsActsAndEnds) {
     EXPECT_EQ(kiosk_->end_by(SIGTERM), 0) << kiosk_->log();
 }
 
+/// The screen comes after the exhibit was changed.
+TEST_F(Wayland, ShowsWhatChangedWhileItWaited) {
+    open_screen(kScreen);
+    write_exhibit(test::kPatches);
+    kiosk_.emplace(folder_, std::vector<std::string>{"--wait", "exhibit.ini"}, environment());
+    kiosk_->await_log("event=no_display");
+    std::string text = std::string("[display]\nrotation = 90\n") + test::kPatches;
+    text.replace(text.find("lamps = D65"), 11, "lamps = A2800");
+    write_exhibit(text);
+    start_weston();
+    const Json told = kiosk_->await("another first lamp, upright", [](const Json& now) {
+        return widget(now, "lamp", 0).at("text") == "Light bulb" && now.at("height_px") == kScreen.width_px;
+    });
+    expect_all_inside(told);
+    EXPECT_EQ(kiosk_->end_by(SIGTERM), 0) << kiosk_->log();
+}
+
 } // namespace
 } // namespace metamer

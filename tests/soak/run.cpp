@@ -46,13 +46,13 @@ KioskParts Run::parts() {
     parts.stage = &stage_;
     parts.log = &log_;
     parts.load = [this] { return load(); };
-    parts.loaded = [this](const Loaded& loaded) { outside_.watch(loaded.exhibit.files); };
     parts.minute_of_day = [this] { return minute_of_day(); };
     parts.describe = [this](const std::string& text) { look_at(text); };
     return parts;
 }
 
-std::unique_ptr<Loaded> Run::load() const {
+std::unique_ptr<Loaded> Run::load() {
+    outside_.watch(exhibit_files(world_.exhibit()));
     std::vector<std::string> doubts;
     Exhibit exhibit = load_exhibit(world_.exhibit(), {}, &doubts, Use::kiosk);
     Words words = words_of(exhibit);

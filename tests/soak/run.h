@@ -41,7 +41,7 @@ public:
 
 private:
     KioskParts parts();
-    std::unique_ptr<Loaded> load() const;
+    std::unique_ptr<Loaded> load();
     int minute_of_day() const;
     void next();
     void trouble();

@@ -73,6 +73,13 @@ TEST_F(Find, KnowsPathsFromNames) {
         EXPECT_FALSE(names_file(name)) << name;
 }
 
+TEST_F(Find, KnowsThePathInAName) {
+    EXPECT_EQ(path_named("a.csv#tube"), "a.csv");
+    EXPECT_EQ(path_named("a#1.csv#x/y"), "a#1.csv");
+    EXPECT_EQ(path_named("x/y"), "x/y");
+    EXPECT_EQ(path_named("planck:2856"), "");
+}
+
 TEST_F(Find, ReadsFilesFromTheFolder) {
     write("sub/lamp.csv", "# A tube\n# source: a bench\nnm,tube\n400,1\n700,1\n");
     const Lamp lamp = find_lamp("sub/lamp.csv", folder.string());
