@@ -81,13 +81,6 @@ struct ColorExtremes::Crossing {
     double rise; ///< of the slope there
 };
 
-double dual_bound(const ColorProgram& program, std::span<const double> weight, const Triple& price) {
-    double bound = dot(price, program.target);
-    for (std::size_t i = 0; i < program.color.size(); ++i)
-        bound += std::max(0.0, weight[i] - dot(price, program.color[i]));
-    return bound;
-}
-
 ColorExtremes::ColorExtremes(const ColorProgram& program)
     : program_(program),
       count_(program.color.size()),

@@ -29,10 +29,7 @@ struct Extreme {
     Triple price;
 };
 
-/// What the dual says at any price: no reflectance of the target's color has a greater sum (weak duality).
-double dual_bound(const ColorProgram& program, std::span<const double> weight, const Triple& price);
-
-/// The exact program: walks down the dual's edges from corner to corner, each edge to its lowest point (the
+/// Walks down the dual's edges from corner to corner, each edge to its lowest point (the
 /// dual simplex method with bound flipping). It stays at its corner: the next, with similar weights, is near.
 class ColorExtremes {
 public:
@@ -62,12 +59,5 @@ private:
     std::array<std::size_t, 3> between_;
     std::vector<double> reflectance_; ///< 0 or 1, whatever those in between will be
 };
-
-/// The same with soft bounds: r[i] = 1 / (1 + exp(-(w[i] - p . color[i]) / (softness scale[i]))), the
-/// greatest of sum w r + softness sum scale[i] H(r[i]), H the entropy. Its dual is smooth: Newton's method,
-/// damped, at a temperature that is lowered from 1 to `softness`. The color is as exact. Scales 0 keep r at
-/// 1/2. None where no reflectance strictly between 0 and 1 has the color.
-std::optional<Extreme> softly_greatest(const ColorProgram& program, std::span<const double> weight,
-                                       std::span<const double> scale, double softness);
 
 } // namespace metamer

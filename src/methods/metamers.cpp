@@ -14,6 +14,7 @@ namespace metamer {
 
 namespace {
 
+constexpr int kDirections = 64;
 constexpr int kMostClimbs = 16;
 
 Triple triple(const Xyz& c) {
@@ -31,9 +32,8 @@ std::vector<Triple> colors_under(const ReferenceLamp& lamp) {
     return out;
 }
 
-/// One end of a pair: a direction of XYZ under the parting lamp, and the reflectance that goes furthest.
+/// One end of a pair: the reflectance that goes furthest in some direction of XYZ under the parting lamp.
 struct End {
-    Triple direction;
     std::vector<double> reflectance;
     Xyz parting;
 };
@@ -51,38 +51,18 @@ public:
           parting_(colors_under(parting)),
           extremes_(program_) {}
 
-    std::vector<double> weights(const Triple& direction) const {
-        std::vector<double> out(parting_.size());
-        std::ranges::transform(parting_, out.begin(), [&](const Triple& c) { return dot(direction, c); });
-        return out;
-    }
-
     End end(const Triple& direction) {
-        std::optional<Extreme> found = extremes_.greatest(weights(direction));
+        std::vector<double> weight(parting_.size());
+        std::ranges::transform(parting_, weight.begin(), [&](const Triple& c) { return dot(direction, c); });
+        std::optional<Extreme> found = extremes_.greatest(weight);
         if (!found)
             refuse();
-        return of(direction, std::move(found->reflectance));
-    }
-
-    End soft_end(const Triple& direction, double softness) const {
-        std::vector<double> scale(parting_.size());
-        const double length = std::sqrt(dot(direction, direction));
-        for (std::size_t i = 0; i < scale.size(); ++i)
-            scale[i] =
-                length * std::sqrt(dot(parting_[i], parting_[i]) + dot(program_.color[i], program_.color[i]));
-        std::optional<Extreme> found = softly_greatest(program_, weights(direction), scale, softness);
-        if (!found)
-            refuse();
-        return of(direction, std::move(found->reflectance));
+        hold_where_dark(found->reflectance);
+        const Xyz color = reference_xyz(lamp_, found->reflectance);
+        return {std::move(found->reflectance), color};
     }
 
 private:
-    End of(const Triple& direction, std::vector<double> reflectance) const {
-        hold_where_dark(reflectance);
-        const Xyz color = reference_xyz(lamp_, reflectance);
-        return {direction, std::move(reflectance), color};
-    }
-
     // Where neither lamp shines any reflectance will do: as its neighbor.
     void hold_where_dark(std::vector<double>& reflectance) const {
         const auto is_lit = [&](std::size_t i) {
@@ -177,21 +157,17 @@ MaterialSpectrum material(std::vector<double> reflectance) {
 
 } // namespace
 
-MetamericPair metameric_pair(const ReferenceLamp& matching, const ReferenceLamp& parting, const Xyz& xyz,
-                             double smoothness, int directions) {
+MetamericPair metameric_pair(const ReferenceLamp& matching, const ReferenceLamp& parting, const Xyz& xyz) {
     Search search(matching, parting, xyz);
     const Matrix3 slopes = delta_e_2000_slopes(expected(xyz, parting));
     Pair best;
-    for (int i = 0; i < directions; ++i) {
-        const Triple d = direction_of(lattice_point(i, directions), slopes);
+    for (int i = 0; i < kDirections; ++i) {
+        const Triple d = direction_of(lattice_point(i, kDirections), slopes);
         Pair pair = pair_of(search.end(d), search.end({-d[0], -d[1], -d[2]}));
         if (pair.delta_e_2000 > best.delta_e_2000)
             best = std::move(pair);
     }
     best = climbed(search, std::move(best));
-    if (smoothness > 0)
-        best = pair_of(search.soft_end(best.a.direction, smoothness),
-                       search.soft_end(best.b.direction, smoothness));
     const Xyz match = reference_xyz(matching, best.a.reflectance);
     return {material(std::move(best.a.reflectance)),
             material(std::move(best.b.reflectance)),

@@ -18,18 +18,14 @@ struct MetamericPair {
 /// Of all pairs of reflectances that both have the color `xyz` under `matching`, one that differs the most
 /// under `parting` in CIEDE2000. The colors that such reflectances have there fill a convex body, the metamer
 /// mismatch volume (Logvinenko, Funt, Godau 2014, "Metamer mismatching", IEEE TIP 23(1)). Its opposite ends
-/// are tried in `directions` (at least 1) directions, spread evenly as the eye sees them; from the best pair
-/// each end climbs on to where the difference grows the fastest, while it does. Every end is the linear
-/// program max d . XYZ_parting(r), XYZ_matching(r) = xyz, 0 <= r <= 1 (color_program.h). The match is exact
-/// to 1e-10. Under equal lamps there is no difference.
+/// are tried in 64 directions, spread evenly as the eye sees them; from the best pair each end climbs on to
+/// where the difference grows the fastest, while it does. Every end is the linear program
+/// max d . XYZ_parting(r), XYZ_matching(r) = xyz, 0 <= r <= 1 (color_program.h). The match is exact to 1e-10.
+/// Under equal lamps there is no difference.
 ///
-/// Such reflectances are 0 or 1 nearly everywhere. `smoothness` > 0 leaves the bounds softly, as a logistic
-/// of what a wavelength gains in shares of its own weight under the two lamps: 0.01 rounds the steps, 1 is
-/// nearly a gray; less difference, the same match. Where neither lamp shines a reflectance is as beside it.
-/// `xyz`: Y = 1 for the perfect reflector. Throws bad_input where no reflectance has that color under
-/// `matching` (outside the object-color solid; with smoothness on its surface, too). Deterministic; takes
-/// milliseconds.
-MetamericPair metameric_pair(const ReferenceLamp& matching, const ReferenceLamp& parting, const Xyz& xyz,
-                             double smoothness = 0, int directions = 64);
+/// Such reflectances are 0 or 1 nearly everywhere; where neither lamp shines they are as beside it. `xyz`:
+/// Y = 1 for the perfect reflector. Throws bad_input where no reflectance has that color under `matching`
+/// (outside the object-color solid). Deterministic; takes milliseconds.
+MetamericPair metameric_pair(const ReferenceLamp& matching, const ReferenceLamp& parting, const Xyz& xyz);
 
 } // namespace metamer
