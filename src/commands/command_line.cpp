@@ -55,11 +55,15 @@ Exhibit at_size(ExhibitArguments arguments, const std::optional<std::string>& si
     }
 }
 
-Exhibit load(const ExhibitArguments& arguments, Use use) {
-    std::vector<std::string> warnings;
-    Exhibit exhibit = arguments.path.empty() ? default_exhibit(arguments.sets, &warnings, use)
-                                             : load_exhibit(arguments.path, arguments.sets, &warnings, use);
-    warn(warnings);
+Exhibit load(const ExhibitArguments& arguments, Use use, std::vector<std::string>& doubts) {
+    return arguments.path.empty() ? default_exhibit(arguments.sets, &doubts, use)
+                                  : load_exhibit(arguments.path, arguments.sets, &doubts, use);
+}
+
+Exhibit load(const ExhibitArguments& arguments) {
+    std::vector<std::string> doubts;
+    Exhibit exhibit = load(arguments, Use::frame, doubts);
+    warn(doubts);
     return exhibit;
 }
 

@@ -26,10 +26,13 @@ void add_exhibit_arguments(CLI::App& command, ExhibitArguments& arguments);
 Exhibit at_size(ExhibitArguments arguments, const std::optional<std::string>& size,
                 const std::function<Exhibit(const ExhibitArguments&)>& load);
 
-/// Loads it; doubts go to stderr as `metamer: warning: ...`.
-Exhibit load(const ExhibitArguments& arguments, Use use = Use::frame);
+/// Loads it; `doubts` receives what there is to doubt, a sentence each.
+Exhibit load(const ExhibitArguments& arguments, Use use, std::vector<std::string>& doubts);
 
-/// Prints warnings as load() does.
+/// Loads it for a frame; doubts are printed as by warn().
+Exhibit load(const ExhibitArguments& arguments);
+
+/// To stderr, as `metamer: warning: ...`.
 void warn(const std::vector<std::string>& warnings);
 
 /// One JSON document on stdout.

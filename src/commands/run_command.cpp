@@ -53,8 +53,12 @@ std::unique_ptr<Loaded> Run::load() {
     // Watched before they are read: what is changed from then on is told, and so is what mends a refused one.
     if (!outside_.watch(exhibit_files(options_.exhibit.path, options_.exhibit.sets)))
         log_.write(Priority::warning, "not_watched", {{"exhibit", options_.exhibit.path}});
-    Exhibit exhibit = at_size(options_.exhibit, options_.size,
-                              [](const ExhibitArguments& sized) { return metamer::load(sized, Use::kiosk); });
+    std::vector<std::string> doubts;
+    Exhibit exhibit = at_size(options_.exhibit, options_.size, [&](const ExhibitArguments& sized) {
+        return metamer::load(sized, Use::kiosk, doubts);
+    });
+    for (const std::string& doubt : doubts)
+        log_.write(Priority::notice, "doubt", {{"doubt", doubt}});
     Words words = words_of(exhibit);
     return std::make_unique<Loaded>(Loaded{std::move(exhibit), std::move(words)});
 }
