@@ -31,7 +31,8 @@ struct ExposeEvent {};
 /// The GL context is gone with all that it held.
 struct ContextLostEvent {};
 
-/// The display went away, or came back: no frame can be shown between.
+/// The display went away, or came back: no frame can be shown between. Where the window must be made anew for
+/// it to come back (KMSDRM), ContextLostEvent says so, and the new window tells.
 struct DisplayGoneEvent {};
 struct DisplayBackEvent {};
 

@@ -71,7 +71,7 @@ void SdlInput::take(const SDL_Event& event, std::vector<Event>& events) {
         take_window(event.window, events);
         break;
     case SDL_DISPLAYEVENT:
-        set_seen(window_shown_, events);
+        look_for_display(events);
         break;
     case SDL_KEYDOWN:
         take_key(event.key, events);

@@ -33,6 +33,12 @@ public:
     /// For what is taken from now on.
     void set_rotation(int rotation_deg) { rotation_deg_ = rotation_deg; }
 
+    /// Tells where nobody can see a frame any more, or can again, by what the host says of displays.
+    void look_for_display(std::vector<Event>& events) { set_seen(window_shown_, events); }
+
+    /// Whether anybody can see a frame, as was told last.
+    bool seen() const { return seen_; }
+
     /// Appends what this event means; nothing for most. Sizes are the caller's to watch.
     void take(const SDL_Event& event, std::vector<Event>& events);
 

@@ -17,9 +17,8 @@ namespace {
 constexpr auto kBetweenQuestions = std::chrono::milliseconds(100);
 constexpr int kQuestionsPerTry = 10;
 
-/// How long input may wait where SDL can only be asked (KMSDRM): not felt, and 100 wakes a second cost
-/// little.
-constexpr double kPolled_s = 0.01;
+/// How late a display may be seen to come and go where only its connector tells.
+constexpr double kBetweenLooks_s = 1;
 
 unsigned (*reset_status())() {
     for (const auto& [extension, function] : {std::pair{"GL_KHR_robustness", "glGetGraphicsResetStatusKHR"},
@@ -37,7 +36,8 @@ bool waits_for_events(const std::string& driver) {
 
 } // namespace
 
-SdlStage::SdlStage(const WindowOptions& options) : options_(options) {
+SdlStage::SdlStage(const WindowOptions& options, std::filesystem::path connectors)
+    : options_(options), connectors_folder_(std::move(connectors)) {
     prepare_sdl(options.width_px == 0);
     if (SDL_InitSubSystem(SDL_INIT_EVENTS) != 0)
         throw failure("open", "a window", std::string("SDL events: ") + SDL_GetError());
@@ -72,10 +72,17 @@ void SdlStage::try_open() {
     window_.reset();
     SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT); // of the old window; what was posted is in posted_
     window_ = SdlWindow::open(options_);
-    input_.emplace(options_.rotation_deg, sdl_host());
+    back_ = input_ && !input_->seen();
+    unplugged_ = false;
+    SdlHost host = sdl_host();
+    host.displays = [this, of_sdl = host.displays] { return unplugged_ ? 0 : of_sdl(); };
+    input_.emplace(options_.rotation_deg, std::move(host));
     lost_ = loss_told_ = false;
     reset_status_ = reset_status();
     sleeps_in_sdl_ = waits_for_events(driver());
+    connectors_.reset();
+    if (!sleeps_in_sdl_)
+        connectors_.emplace(connectors_folder_);
     const bool again = surface_ != PxSize{};
     resized_ = measure() && again;
 }
@@ -116,9 +123,7 @@ void SdlStage::sleep(double most_s) {
         if (SDL_WaitEventTimeout(&event, most_ms) == 1)
             take(event);
     } else {
-        std::unique_lock lock(mutex_);
-        woken_.wait_for(lock, std::chrono::duration<double>(std::min(most_s, kPolled_s)),
-                        [this] { return !posted_.empty(); });
+        input_wait_.sleep(std::min(most_s, kBetweenLooks_s));
     }
 }
 
@@ -127,21 +132,36 @@ void SdlStage::take(const SDL_Event& event) {
         event.type == SDL_WINDOWEVENT && (event.window.event == SDL_WINDOWEVENT_SIZE_CHANGED ||
                                           event.window.event == SDL_WINDOWEVENT_DISPLAY_CHANGED);
     resized_ = ((sized || event.type == SDL_DISPLAYEVENT) && measure()) || resized_;
-    tell_size();
+    tell_window();
     input_->take(event, events_);
 }
 
-void SdlStage::tell_size() {
-    if (!std::exchange(resized_, false))
+void SdlStage::tell_window() {
+    if (std::exchange(resized_, false)) {
+        const PxSize picture = turned(surface_, options_.rotation_deg);
+        events_.emplace_back(ResizeEvent{picture.width_px, picture.height_px});
+    }
+    if (std::exchange(back_, false))
+        events_.emplace_back(DisplayBackEvent{});
+}
+
+void SdlStage::look_at_connectors() {
+    if (!connectors_ || now_s() < looked_s_ + kBetweenLooks_s)
         return;
-    const PxSize picture = turned(surface_, options_.rotation_deg);
-    events_.emplace_back(ResizeEvent{picture.width_px, picture.height_px});
+    looked_s_ = now_s();
+    if (!unplugged_ && connectors_->unplugged()) {
+        unplugged_ = true;
+        input_->look_for_display(events_);
+    } else if (unplugged_ && connectors_->connected()) {
+        lost_ = true; // another display has another mode, and takes another window
+    }
 }
 
 void SdlStage::take_pending() {
     for (SDL_Event event; SDL_PollEvent(&event) == 1;)
         take(event);
-    tell_size();
+    tell_window();
+    look_at_connectors();
     if (!loss_told_ && context_lost()) {
         loss_told_ = true;
         events_.emplace_back(ContextLostEvent{});
@@ -156,7 +176,7 @@ void SdlStage::post(const Event& event) {
         const std::lock_guard lock(mutex_);
         posted_.push_back(event);
     }
-    woken_.notify_one();
+    input_wait_.wake();
     const std::lock_guard lock(video_);
     static const Uint32 wake = SDL_RegisterEvents(1);
     SDL_Event woken{};

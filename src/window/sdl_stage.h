@@ -1,10 +1,12 @@
 // The stage that a visitor sees.
 #pragma once
 
-#include <condition_variable>
+#include <filesystem>
 #include <mutex>
 #include <optional>
 
+#include "window/connectors.h"
+#include "window/input_wait.h"
 #include "window/sdl_input.h"
 #include "window/sdl_window.h"
 #include "window/stage.h"
@@ -14,7 +16,8 @@ namespace metamer {
 /// What open_window() opens.
 class SdlStage : public Stage {
 public:
-    explicit SdlStage(const WindowOptions& options);
+    /// `connectors`: where Linux tells of them; looked at once a second where SDL does not tell (KMSDRM).
+    explicit SdlStage(const WindowOptions& options, std::filesystem::path connectors = "/sys/class/drm");
     ~SdlStage() override;
 
     /// False: WindowOptions::still_waiting said so. Throws no_gl.
@@ -40,11 +43,13 @@ private:
     void try_open();
     bool measure();
     void take(const SDL_Event& event);
-    void tell_size();
+    void tell_window();
+    void look_at_connectors();
     void take_pending();
     void sleep(double most_s);
 
     WindowOptions options_;
+    std::filesystem::path connectors_folder_;
     std::mutex video_;                  ///< held while SDL's video comes or goes: post() is another thread's
     std::unique_ptr<SdlWindow> window_; ///< none only while there is no display
     std::optional<SdlInput> input_;
@@ -52,12 +57,15 @@ private:
     double px_per_mm_ = 0;
     ResetStatus reset_status_ = nullptr; ///< glGetGraphicsResetStatus, where it is there
     bool sleeps_in_sdl_ = false;         ///< the driver waits for events without polling
-    bool lost_ = false, loss_told_ = false, resized_ = false;
+    bool lost_ = false, loss_told_ = false, resized_ = false, back_ = false;
+    std::optional<Connectors> connectors_; ///< none where SDL tells of displays
+    bool unplugged_ = false;
+    double looked_s_ = 0;       ///< at the connectors
     std::vector<Event> events_; ///< of the last wait()
 
     std::mutex mutex_; ///< guards posted_
-    std::condition_variable woken_;
     std::vector<Event> posted_;
+    InputWait input_wait_;
 };
 
 } // namespace metamer

@@ -4,13 +4,13 @@
 #include <csignal>
 #include <filesystem>
 #include <gmock/gmock.h>
-#include <sys/resource.h>
 #include <thread>
 
 #include "base/error.h"
 #include "gles/extensions.h"
 #include "gles2/gl_test.h"
 #include "service/signals.h"
+#include "window/wakes.h"
 #include "window/window_on_x.h"
 
 namespace metamer {
@@ -110,35 +110,14 @@ TEST_F(Window, APostWakesAWaitWithoutEnd) {
     EXPECT_THAT(all, Contains("files changed").Times(1));
 }
 
-long wakes() {
-    rusage usage{};
-    getrusage(RUSAGE_THREAD, &usage);
-    return usage.ru_nvcsw;
-}
-
 /// Counts how often the thread slept: once a millisecond where SDL polls, a few times where it waits.
 TEST_F(Window, WaitsAsleep) {
     const auto stage = open();
     while (!stage->wait(0.1).empty()) { // what the window's opening brings
     }
-    const long before = wakes();
+    const long before = test::wakes();
     stage->wait(0.5);
-    EXPECT_LT(wakes() - before, 20);
-}
-
-/// A driver that SDL can only poll, as it does KMSDRM; this one needs no hardware.
-TEST(PolledWindow, WakesSeldomAndForAPost) {
-    const Environment offscreen("SDL_VIDEODRIVER", "offscreen");
-    const auto stage = open_window({.width_px = 64, .height_px = 48});
-    EXPECT_EQ(stage->driver(), "offscreen");
-    while (!stage->wait(0).empty()) {
-    }
-    const long before = wakes();
-    stage->wait(0.5);
-    EXPECT_LT(wakes() - before, 100); // SDL itself: 500
-    std::thread other([&] { stage->post(FilesChangedEvent{}); });
-    EXPECT_THAT(test::texts(stage->wait(-1)), ElementsAre("files changed"));
-    other.join();
+    EXPECT_LT(test::wakes() - before, 20);
 }
 
 TEST_F(Window, HasAContextThatTellsItsLoss) {
@@ -212,6 +191,15 @@ TEST_F(Window, IsNotRebuiltWhereNobodyWaitsForADisplay) {
     EXPECT_EQ(asked, 1);
 }
 
+/// Else nobody would draw again: a new window is shown from the start, and never says so.
+TEST_F(Window, ThatWasHiddenIsBackWhenItIsMadeAnew) {
+    const auto stage = open();
+    SDL_HideWindow(SDL_GetWindowFromID(1));
+    EXPECT_THAT(read_until(*stage, "display gone"), Contains("display gone"));
+    stage->rebuild();
+    EXPECT_THAT(read_until(*stage, "display back"), Contains("display back").Times(1));
+}
+
 std::string error_of(const WindowOptions& options) {
     try {
         open_window(options);
@@ -247,9 +235,13 @@ TEST(NoWindow, WaitsUntilItIsToldNotTo) {
     EXPECT_EQ(asked, 3);
 }
 
+TEST(XScreen, NamesThePackageOfWhatItMisses) {
+    EXPECT_EQ(test::missing("Xvbf", "xvfb"), "Xvbf is missing: apt-get install xvfb");
+    EXPECT_EQ(test::missing("sh", "dash"), "");
+}
+
 TEST(NoWindow, ComesWithTheDisplay) {
-    if (const std::string missing = test::missing_for_x(); !missing.empty())
-        GTEST_SKIP() << missing;
+    ASSERT_EQ(test::missing_for_x(), "");
     const Environment no_x("DISPLAY", nullptr), x("SDL_VIDEODRIVER", "x11");
     std::optional<test::XScreen> screen;
     const auto stage = open_window({.wait_for_display = true, .still_waiting = [&](const std::string&) {
