@@ -70,9 +70,7 @@ int texel(double share, int size) {
 
 std::optional<Hit> pick(const Scene& scene, const Exhibit& exhibit, double x, double y, double aspect) {
     const bool flat = scene.camera.flat;
-    const View view = view_of(scene.camera, aspect);
-    const Ray ray = ray_through(scene.camera, view, x, y);
-    const double to_eye = glm::length(ray.from - glm::dvec3(view.eye));
+    const Ray ray = ray_through(scene.camera, view_of(scene.camera, aspect), x, y);
     std::optional<Hit> nearest;
     double least = 0;
     for (const SceneObject& object : scene.objects) {
@@ -83,7 +81,7 @@ std::optional<Hit> pick(const Scene& scene, const Exhibit& exhibit, double x, do
             if (!at || (nearest && at->way >= least))
                 continue;
             least = at->way;
-            nearest = {place_in(exhibit, object.setting), at->uv.x, at->uv.y, flat ? 0 : to_eye + least};
+            nearest = {place_in(exhibit, object.setting), at->uv.x, at->uv.y};
         }
     }
     return nearest;

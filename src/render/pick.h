@@ -10,7 +10,6 @@ namespace metamer {
 struct Hit {
     std::size_t object;  ///< of Exhibit::objects
     double u = 0, v = 0; ///< texture coordinates there
-    double distance = 0; ///< from the eye, scene units (flat scenes: 0)
 };
 
 /// The nearest front face under a point of the frame, by the ray through it (Moeller and Trumbore 1997).
