@@ -28,7 +28,9 @@ private:
 };
 
 /// Input that cannot be taken, e.g. bad_input("read", "config/kiosk.ini:12", "strength = -1 is below 0")
-/// gives `cannot read config/kiosk.ini:12: strength = -1 is below 0` and exit status 2.
+/// gives `cannot read config/kiosk.ini:12: strength = -1 is below 0` and exit status 2. Control characters
+/// (U+0000 .. U+001F, U+007F .. U+009F) in what is quoted become `?`: the message stays one line, and steers
+/// no terminal.
 Error bad_input(const std::string& verb, const std::string& place, const std::string& cause);
 
 /// The same sentence with exit status 1: the input is fine, the machine is not (disk full, no permission).
