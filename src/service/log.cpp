@@ -1,10 +1,12 @@
 #include "service/log.h"
 
-#include <cstdio>
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <string>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
 
 #include "image/utf8.h"
 
@@ -66,17 +68,26 @@ std::string quoted(std::string_view value) {
 }
 
 bool needs_quotes(std::string_view value) {
-    if (value.empty() || !is_utf8(value))
-        return true;
-    for (std::size_t i = 0; i < value.size(); ++i)
-        if (value[i] == ' ' || value[i] == '"' || value[i] == '=' || value[i] == '\\' ||
-            is_control(static_cast<unsigned char>(value[i])) || is_c1_control(value, i))
-            return true;
-    return false;
+    return value.empty() || !is_utf8(value) || has_control(value) ||
+           value.find_first_of(" \"=\\") != value.npos;
 }
 
 std::string written(std::string_view value) {
     return needs_quotes(value) ? quoted(value) : std::string(value);
+}
+
+/// What an event tells of; most are alone with it.
+std::string_view subject_of(std::string_view event) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kSubjects{
+        {{"reloaded", "exhibit"},
+         {"reload_refused", "exhibit"},
+         {"shown", "display"},
+         {"no_display", "display"},
+         {"display_gone", "display"},
+         {"display_back", "display"}}};
+    const auto found =
+        std::ranges::find(kSubjects, event, &std::pair<std::string_view, std::string_view>::first);
+    return found == kSubjects.end() ? event : found->second;
 }
 
 } // namespace
@@ -86,23 +97,65 @@ Log::Log() : Log(write_stderr, std::chrono::steady_clock::now, stderr_is_journal
 Log::Log(Sink sink, Clock clock, bool priorities)
     : sink_(std::move(sink)), clock_(std::move(clock)), priorities_(priorities) {}
 
+Log::~Log() {
+    end();
+}
+
 void Log::write(Priority priority, std::string_view event, std::initializer_list<LogField> fields) {
-    const auto now = clock_();
-    auto kind = kinds_.find(event);
-    if (kind == kinds_.end()) {
-        kind = kinds_.emplace(event, Kind{now, 0}).first;
-    } else if (now - kind->second.last < kBetween) {
-        ++kind->second.suppressed;
-        return;
-    }
+    Subject& subject = subjects_[std::string(subject_of(event))];
+    subject.kept.reset();
+    flush();
     std::string line = priorities_ ? '<' + std::to_string(static_cast<int>(priority)) + '>' : std::string();
     line += "event=" + written(event);
     for (const LogField& field : fields)
         line.append(" ").append(field.key).append("=").append(written(field.value));
-    if (kind->second.suppressed > 0)
-        line += " suppressed=" + std::to_string(kind->second.suppressed);
-    kind->second = {now, 0};
-    sink_(line);
+    const Time now = clock_();
+    Kind& kind = kinds_.try_emplace(std::string(event), Kind{now}).first->second;
+    if (now >= kind.free_from) {
+        tell(subject, kind, std::move(line), "");
+        return;
+    }
+    ++kind.suppressed;
+    if (line != subject.told)
+        subject.kept = {&kind, std::move(line), now};
+}
+
+void Log::flush() {
+    const Time now = clock_();
+    for (auto& [name, subject] : subjects_)
+        if (subject.kept && now >= subject.kept->kind->free_from)
+            tell_kept(subject);
+}
+
+void Log::end() {
+    for (auto& [name, subject] : subjects_)
+        if (subject.kept)
+            tell_kept(subject);
+}
+
+std::optional<double> Log::due_in_s() const {
+    std::optional<Time> due;
+    for (const auto& [name, subject] : subjects_)
+        if (subject.kept)
+            due = due ? std::min(*due, subject.kept->kind->free_from) : subject.kept->kind->free_from;
+    if (!due)
+        return std::nullopt;
+    return std::max(0.0, std::chrono::duration<double>(*due - clock_()).count());
+}
+
+void Log::tell(Subject& subject, Kind& kind, std::string line, const std::string& late) {
+    subject.told = line;
+    if (kind.suppressed > 0)
+        line += " suppressed=" + std::to_string(kind.suppressed);
+    kind = {clock_() + kBetween, 0};
+    sink_(line + late);
+}
+
+void Log::tell_kept(Subject& subject) {
+    const Kept kept = *std::exchange(subject.kept, std::nullopt);
+    const auto late_s = std::chrono::duration_cast<std::chrono::seconds>(clock_() - kept.since).count();
+    --kept.kind->suppressed; // it is told after all
+    tell(subject, *kept.kind, kept.line, " late_s=" + std::to_string(late_s));
 }
 
 } // namespace metamer

@@ -87,6 +87,116 @@ TEST_F(LogTest, AMinuteBeginsWithTheLineThatWasWritten) {
     EXPECT_THAT(lines_, ElementsAre("event=tick", "event=tick suppressed=59", "event=tick suppressed=59"));
 }
 
+/// What is kept back is told late, and a line of its kind begins another minute.
+TEST_F(LogTest, TellsTheLatestWhenTheMinuteIsOver) {
+    Log out = log();
+    out.write(Priority::error, "refused", {{"n", "1"}});
+    now_ += 10s;
+    out.write(Priority::error, "refused", {{"n", "2"}});
+    now_ += 10s;
+    out.write(Priority::error, "refused", {{"n", "3"}});
+    now_ += 39s;
+    out.flush();
+    EXPECT_THAT(lines_, ElementsAre("event=refused n=1"));
+    now_ += 1s;
+    out.flush();
+    out.flush();
+    EXPECT_THAT(lines_, ElementsAre("event=refused n=1", "event=refused n=3 suppressed=1 late_s=40"));
+    now_ += 59s;
+    out.write(Priority::error, "refused", {{"n", "4"}});
+    EXPECT_EQ(lines_.size(), 2u);
+    now_ += 1s;
+    out.write(Priority::info, "other");
+    EXPECT_EQ(lines_.at(2), "event=refused n=4 late_s=1") << "whatever is written next";
+}
+
+TEST_F(LogTest, SaysWhenSomethingIsDue) {
+    Log out = log();
+    EXPECT_EQ(out.due_in_s(), std::nullopt);
+    out.write(Priority::info, "a", {{"n", "1"}});
+    EXPECT_EQ(out.due_in_s(), std::nullopt) << "nothing is kept back";
+    now_ += 20s;
+    out.write(Priority::info, "b", {{"n", "1"}});
+    out.write(Priority::info, "b", {{"n", "2"}});
+    EXPECT_EQ(out.due_in_s(), 60.0);
+    out.write(Priority::info, "a", {{"n", "2"}});
+    EXPECT_EQ(out.due_in_s(), 40.0) << "the first of two";
+    now_ += 50s;
+    EXPECT_EQ(out.due_in_s(), 0.0) << "overdue";
+    out.flush();
+    EXPECT_EQ(out.due_in_s(), 10.0);
+}
+
+TEST_F(LogTest, RepeatsNothing) {
+    Log out = log();
+    for (int i = 0; i < 3; ++i, now_ += 1s)
+        out.write(Priority::warning, "hot", {{"c", "90"}});
+    EXPECT_EQ(out.due_in_s(), std::nullopt);
+    out.write(Priority::warning, "hot", {{"c", "91"}});
+    EXPECT_NE(out.due_in_s(), std::nullopt);
+    out.write(Priority::warning, "hot", {{"c", "90"}});
+    EXPECT_EQ(out.due_in_s(), std::nullopt) << "as was told";
+    now_ += 60s;
+    out.write(Priority::warning, "hot", {{"c", "92"}});
+    EXPECT_THAT(lines_, ElementsAre("event=hot c=90", "event=hot c=92 suppressed=4"));
+}
+
+/// Wrong, mended, wrong again and mended again, all within a minute: the log must not end with `refused`.
+TEST_F(LogTest, EndsWithWhatHolds) {
+    Log out = log();
+    const auto after = [&](std::chrono::seconds pause, std::string_view event, const char* text) {
+        now_ += pause;
+        out.write(Priority::info, event, {{"text", text}});
+    };
+    after(0s, "reloaded", "kiosk.ini");
+    after(10s, "reload_refused", "line 3");
+    after(10s, "reloaded", "kiosk.ini");
+    EXPECT_EQ(lines_.back(), "event=reload_refused text=\"line 3\"");
+    now_ += 40s;
+    out.flush();
+    EXPECT_EQ(lines_.back(), "event=reloaded text=kiosk.ini late_s=40");
+    after(5s, "reload_refused", "line 4");
+    EXPECT_EQ(lines_.back(), "event=reloaded text=kiosk.ini late_s=40");
+    after(10s, "reload_refused", "line 5");
+    EXPECT_EQ(lines_.back(), "event=reload_refused text=\"line 5\" suppressed=1");
+    after(5s, "reload_refused", "line 6");
+    after(50s, "reloaded", "kiosk.ini");
+    EXPECT_EQ(lines_.back(), "event=reloaded text=kiosk.ini");
+    EXPECT_EQ(out.due_in_s(), std::nullopt) << "what was wrong with line 6 is over";
+}
+
+TEST_F(LogTest, NeverSpeaksOfTheDisplayThatWasAway) {
+    Log out = log();
+    out.write(Priority::warning, "no_display", {{"error", "no /dev/dri"}});
+    out.write(Priority::warning, "no_display", {{"error", "no connector"}});
+    out.write(Priority::info, "shown");
+    now_ += 60s;
+    out.flush();
+    out.write(Priority::warning, "display_gone");
+    out.write(Priority::notice, "display_back");
+    out.write(Priority::warning, "display_gone");
+    out.write(Priority::notice, "display_back");
+    now_ += 60s;
+    out.flush();
+    EXPECT_THAT(lines_, ElementsAre("event=no_display error=\"no /dev/dri\"", "event=shown",
+                                    "event=display_gone", "event=display_back"));
+}
+
+TEST_F(LogTest, KeepsNothingToItselfAtTheEnd) {
+    {
+        Log out = log(true);
+        out.write(Priority::error, "refused", {{"n", "1"}});
+        now_ += 5s;
+        out.write(Priority::warning, "refused", {{"n", "2"}});
+        now_ += 2s;
+        out.end();
+        out.write(Priority::info, "stopped", {{"n", "1"}});
+        out.write(Priority::info, "stopped", {{"n", "2"}});
+    }
+    EXPECT_THAT(lines_, ElementsAre("<3>event=refused n=1", "<4>event=refused n=2 late_s=2",
+                                    "<6>event=stopped n=1", "<6>event=stopped n=2 late_s=0"));
+}
+
 /// What a default log says on stderr where JOURNAL_STREAM is `stream`; empty: where it names stderr's own
 /// file.
 std::string on_stderr(std::string stream) {
