@@ -103,8 +103,7 @@ OnScreen::~OnScreen() {
 }
 
 void OnScreen::SetUp() {
-    if (const std::string missing = missing_for_x(); !missing.empty())
-        GTEST_SKIP() << missing;
+    ASSERT_EQ(missing_for_x(), "");
 }
 
 void OnScreen::start(PxSize screen, const std::string& exhibit, int rotation_deg) {

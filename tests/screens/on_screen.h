@@ -1,4 +1,4 @@
-// A kiosk on an X server of its own, with hands and eyes on it. Skips where there is none to be had.
+// A kiosk on an X server of its own, with hands and eyes on it.
 #pragma once
 
 #include <filesystem>

@@ -9,7 +9,6 @@
 #include <unistd.h>
 
 #include "base/files.h"
-#include "commands/process.h"
 #include "screens/on_screen.h"
 
 namespace metamer {
@@ -24,9 +23,8 @@ constexpr const char* kSocket = "wayland-kiosk";
 class Wayland : public test::OnScreen {
 protected:
     void SetUp() override {
+        ASSERT_EQ(test::missing("weston", "weston"), "");
         OnScreen::SetUp();
-        if (!IsSkipped() && test::run_program("/usr/bin/env", {"which", "weston"}).status != 0)
-            GTEST_SKIP() << "weston is not installed";
     }
     ~Wayland() override {
         kiosk_.reset();

@@ -55,11 +55,15 @@ Shot part_of(Display* display, int left, int top, int width_px, int height_px) {
 
 } // namespace
 
+std::string missing(const std::string& program, const std::string& package) {
+    if (run_program("/usr/bin/env", {"which", program}).status == 0)
+        return {};
+    return program + " is missing: apt-get install " + package;
+}
+
 std::string missing_for_x() {
-    for (const char* program : {"Xvfb", "xdotool"})
-        if (run_program("/usr/bin/env", {"which", program}).status != 0)
-            return std::string(program) + " is not installed";
-    return {};
+    const std::string server = missing("Xvfb", "xvfb");
+    return server.empty() ? missing("xdotool", "xdotool") : server;
 }
 
 XScreen::XScreen(int width_px, int height_px) {

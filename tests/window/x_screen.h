@@ -9,7 +9,10 @@
 
 namespace metamer::test {
 
-/// Whether Xvfb and xdotool are there; else what is missing.
+/// Empty where `program` is in PATH; else a sentence that names Debian's package of it.
+std::string missing(const std::string& program, const std::string& package);
+
+/// The same of what XScreen needs.
 std::string missing_for_x();
 
 /// All that stood on the screen at one moment.
