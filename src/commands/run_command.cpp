@@ -1,4 +1,5 @@
 // metamer run: the kiosk.
+#include <csignal>
 #include <ctime>
 #include <memory>
 #include <optional>
@@ -96,6 +97,7 @@ KioskParts Run::parts(std::unique_ptr<Loaded>& first) {
 }
 
 void Run::live() {
+    std::signal(SIGPIPE, SIG_IGN);          // a log that nobody reads any more is no reason to end
     std::unique_ptr<Loaded> first = load(); // what cannot be read is told before a window opens
     if (!options_.description.empty())
         check_output(options_.description);
@@ -107,6 +109,7 @@ void Run::live() {
         }
     }
     notify_stopping();
+    log_.end();
     log_.write(Priority::info, "stopped");
 }
 
