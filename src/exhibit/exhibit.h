@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -92,8 +91,6 @@ struct Compare {
 
 struct Exhibit {
     std::string place; ///< the INI file, for messages
-    /// Every file that it was read from: the INI, atlas, maps, spectra, folder of strings.
-    std::vector<std::filesystem::path> files;
     Display display;
     Accuracy accuracy;
     SceneKind scene = SceneKind::loaf;

@@ -91,7 +91,6 @@ Exhibit build(const Settings& settings, const std::string& place, Use use,
     exhibit.objects = load_objects(settings, scene, rows, place, warnings); // after every lamp: see Rows
     exhibit.atlas = rows.atlas();
     exhibit.materials = rows.full_materials();
-    settings.each([&](const Setting& setting) { add_files(setting, exhibit.files); });
     give_cards(exhibit);
     return exhibit;
 }
@@ -105,10 +104,7 @@ Exhibit parse_exhibit(std::string_view text, const std::string& place, const std
 
 Exhibit load_exhibit(const std::filesystem::path& path, const std::vector<std::string>& sets,
                      std::vector<std::string>* warnings, Use use) {
-    Exhibit exhibit =
-        parse_exhibit(read_file(path, kMostBytes), path.string(), folder_of(path), sets, warnings, use);
-    exhibit.files.insert(exhibit.files.begin(), path);
-    return exhibit;
+    return parse_exhibit(read_file(path, kMostBytes), path.string(), folder_of(path), sets, warnings, use);
 }
 
 Exhibit default_exhibit(const std::vector<std::string>& sets, std::vector<std::string>* warnings, Use use) {
