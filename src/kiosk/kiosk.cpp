@@ -14,6 +14,11 @@ namespace metamer {
 namespace {
 
 constexpr int kMostWrongLooks = 2; ///< the second after everything was made anew
+constexpr int kLeastScreenPx = 16; ///< what a window of any size is laid out for at least
+
+bool reloads(const Event& event) {
+    return std::holds_alternative<ReloadEvent>(event) || std::holds_alternative<FilesChangedEvent>(event);
+}
 
 std::vector<Seen> objects_of(const Exhibit& exhibit) {
     std::vector<Seen> objects;
@@ -60,7 +65,8 @@ Shift Kiosk::shift() const {
 ScreenSize Kiosk::screen(const Loaded& loaded) const {
     const PxSize size = picture();
     const int margin_px = 2 * loaded.exhibit.kiosk.pixel_shift_px;
-    return {size.width_px - margin_px, size.height_px - margin_px, parts_.stage->px_per_mm()};
+    return {std::max(size.width_px - margin_px, kLeastScreenPx),
+            std::max(size.height_px - margin_px, kLeastScreenPx), parts_.stage->px_per_mm()};
 }
 
 PxSize Kiosk::scene_size(const Loaded& loaded, const Visit& visit) const {
@@ -70,6 +76,8 @@ PxSize Kiosk::scene_size(const Loaded& loaded, const Visit& visit) const {
 
 double Kiosk::due_s() const {
     const double now = parts_.stage->now_s();
+    if (parts_.stage->context_lost())
+        return now;
     if (!display_)
         return now + 1;
     if (show_->fading(frame_s_)) // the frame that ends a fade is due too
@@ -86,14 +94,39 @@ double Kiosk::due_s() const {
 
 bool Kiosk::turn(double most_s) {
     const double now = parts_.stage->now_s();
-    for (const Event& event : parts_.stage->wait(std::clamp(due_s() - now, 0.0, most_s)))
-        take(event);
-    if (ends_)
+    const std::vector<Event>& events = parts_.stage->wait(std::clamp(due_s() - now, 0.0, most_s));
+    const auto quits = [](const Event& event) { return std::holds_alternative<QuitEvent>(event); };
+    if (std::any_of(events.begin(), events.end(), quits))
         return false;
     notify_alive();
-    if (lost_ || parts_.stage->context_lost())
+    try {
+        return act_and_draw(events);
+    } catch (const Error&) {
+        // A context may go at any moment, and whatever is drawn then fails: the next turn makes all of it
+        // anew.
+        if (!parts_.stage->context_lost())
+            throw;
+        for (const Event& event : events)
+            if (reloads(event))
+                parts_.stage->post(event);
+        stale_ = dirty_ = true;
+        return true;
+    }
+}
+
+bool Kiosk::act_and_draw(const std::vector<Event>& events) {
+    // Before the events: what they ask for is drawn.
+    if (parts_.stage->context_lost())
         rebuild("the context was lost");
+    for (const Event& event : events)
+        if (!ends_)
+            take(event);
+    if (ends_)
+        return false;
+    const Phase before = visit_->phase();
     visit_->tick(parts_.stage->now_s(), parts_.minute_of_day());
+    if (before == Phase::visitor && visit_->phase() != Phase::visitor)
+        hands_.let_go(); // the keyboard's focus is not the next visitor's
     look_at_the_picture();
     if (ends_)
         return false;
@@ -166,8 +199,6 @@ void Kiosk::take(const Event& event) {
         hands_.let_go();
     } else if (std::holds_alternative<ExposeEvent>(event)) {
         dirty_ = true;
-    } else if (std::holds_alternative<ContextLostEvent>(event)) {
-        lost_ = true;
     } else if (std::holds_alternative<DisplayGoneEvent>(event)) {
         display_ = false;
         parts_.log->write(Priority::warning, "display_gone");
@@ -176,9 +207,7 @@ void Kiosk::take(const Event& event) {
         display_ = dirty_ = true;
         parts_.log->write(Priority::notice, "display_back");
         notify_running();
-    } else if (std::holds_alternative<QuitEvent>(event)) {
-        ends_ = true;
-    } else {
+    } else if (reloads(event)) {
         reload();
     }
 }
@@ -193,13 +222,18 @@ void Kiosk::reload() {
         auto show = std::make_unique<Show>(fresh->exhibit);
         show->stage(cue_of(visit), scene_size(*fresh, visit), parts_.stage->now_s());
         show_ = std::move(show);
+        // Without its words a language is another.
+        visit.act(ChooseLanguage{fresh->words.language(visit.state().language).code});
         good_ = visit_ = visit;
         loaded_ = std::move(fresh);
         parts_.stage->hang(loaded_->exhibit.kiosk.rotation_deg, loaded_->exhibit.kiosk.diagonal_in);
         notice_.clear();
+        scene_refused_ = false;
         set_watch();
         parts_.log->write(Priority::info, "reloaded", {{"exhibit", loaded_->exhibit.place}});
     } catch (const Error& error) {
+        if (parts_.stage->context_lost())
+            throw;
         refuse("reload_refused", error);
     }
     hands_.let_go();
@@ -223,9 +257,9 @@ void Kiosk::rebuild(const std::string& why) {
     show_ = std::make_unique<Show>(loaded_->exhibit);
     set_watch();
     ++rebuilds_;
-    lost_ = false;
     display_ = true; // where a window opens there is one
     stale_ = dirty_ = true;
+    refresh(); // the events to come are about what stands there
     notify_running();
 }
 
@@ -242,6 +276,8 @@ void Kiosk::look_at_the_picture() {
         return;
     watched_s_ = now;
     const std::string wrong = watch_->look();
+    if (parts_.stage->context_lost())
+        return; // then it would be
     if (wrong.empty()) {
         wrong_looks_ = 0;
         return;
@@ -254,6 +290,10 @@ void Kiosk::look_at_the_picture() {
 }
 
 void Kiosk::stage_scene() {
+    if (scene_refused_ && cue_of(*visit_) != cue_of(*good_)) {
+        notice_.clear();
+        scene_refused_ = false;
+    }
     const auto stage = [this] {
         show_->stage(cue_of(*visit_), scene_size(*loaded_, *visit_), parts_.stage->now_s());
     };
@@ -264,6 +304,7 @@ void Kiosk::stage_scene() {
         if (error.status() != Exit::bad_input || cue_of(*visit_) == cue_of(*good_))
             throw;
         refuse("scene_refused", error);
+        scene_refused_ = true;
         visit_->put_back(*good_);
         stage();
     }

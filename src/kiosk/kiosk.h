@@ -44,6 +44,7 @@ public:
     long rebuilds() const { return rebuilds_; }
 
 private:
+    bool act_and_draw(const std::vector<Event>& events);
     void take(const Event& event);
     bool wakes();
     void act(const std::optional<Action>& action);
@@ -82,6 +83,7 @@ private:
         std::optional<Focus> focus;
     } laid_;
     std::string notice_;
+    bool scene_refused_ = false; ///< what the notice is about: gone with the next wish
     Shift shown_shift_;
     double watched_s_ = 0, frame_s_ = -1;
     long rebuilds_ = 0;
@@ -89,7 +91,7 @@ private:
     bool stale_ = true;  ///< the desk must be laid anew
     bool dirty_ = true;  ///< a frame must be shown
     bool untold_ = true; ///< the next frame must be described
-    bool ends_ = false, display_ = true, lost_ = false;
+    bool ends_ = false, display_ = true;
 };
 
 } // namespace metamer

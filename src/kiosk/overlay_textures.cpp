@@ -1,5 +1,6 @@
 #include "kiosk/overlay_textures.h"
 
+#include <GLES2/gl2.h>
 #include <algorithm>
 #include <cstring>
 
@@ -8,13 +9,19 @@ namespace metamer {
 namespace {
 
 /// The picture in the lower left corner of power-of-two sides; its rows stay from the top.
-Texture upload(const Picture& picture) {
+Texture upload(const Picture& picture, Filter filter) {
     const int width = texture_side(picture.width_px), height = texture_side(picture.height_px);
     const auto row = static_cast<std::size_t>(picture.width_px) * 4;
     std::vector<std::uint8_t> padded(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
     for (std::size_t y = 0; y < static_cast<std::size_t>(picture.height_px); ++y)
         std::memcpy(&padded[y * static_cast<std::size_t>(width) * 4], &picture.rgba[y * row], row);
-    return {width, height, padded, {Filter::nearest, Wrap::clamp, false}};
+    return {width, height, padded, {filter, Wrap::clamp, false}};
+}
+
+int greatest_side() {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    return std::min<GLint>(most, kMostTexturePx);
 }
 
 bool looks_the_same(const Widget& a, const Widget& b) {
@@ -30,6 +37,20 @@ bool looks_the_same(const Widget& a, const Widget& b) {
 
 } // namespace
 
+OverlayTextures::Painted OverlayTextures::painted(const Widget& widget, double unit_px) {
+    const int side = std::max(widget.box.width, widget.box.height), most = greatest_side();
+    const bool fits = side <= most;
+    const double scale = fits ? 1 : static_cast<double>(most) / side;
+    Widget small = widget;
+    small.box.width = std::max(1, static_cast<int>(scale * widget.box.width));
+    small.box.height = std::max(1, static_cast<int>(scale * widget.box.height));
+    Texture texture = upload(paint(small, scale * unit_px), fits ? Filter::nearest : Filter::linear);
+    const float width = static_cast<float>(small.box.width) / static_cast<float>(texture.width_px()),
+                height = static_cast<float>(small.box.height) / static_cast<float>(texture.height_px());
+    // Rows from the top: the patch runs downwards.
+    return {widget, unit_px, std::move(texture), {0, height, width, -height}};
+}
+
 void OverlayTextures::update(std::span<const Widget> widgets, double unit_px) {
     std::erase_if(painted_, [&](const auto& entry) {
         return std::none_of(widgets.begin(), widgets.end(), [&](const Widget& widget) {
@@ -41,22 +62,16 @@ void OverlayTextures::update(std::span<const Widget> widgets, double unit_px) {
         if (found != painted_.end() && found->second.unit_px == unit_px &&
             looks_the_same(found->second.widget, widget))
             continue;
-        painted_.insert_or_assign({widget.part, widget.index},
-                                  Painted{widget, unit_px, upload(paint(widget, unit_px))});
+        painted_.insert_or_assign({widget.part, widget.index}, painted(widget, unit_px));
         ++paintings_;
     }
 }
 
 void OverlayTextures::lay(Compositor& compositor, std::span<const Widget> widgets) const {
     for (const Widget& widget : widgets) {
-        const Texture& texture = painted_.at({widget.part, widget.index}).texture;
-        texture.bind(kPictureUnit);
-        // Rows from the top: the patch runs downwards.
-        const float height = static_cast<float>(widget.box.height) / static_cast<float>(texture.height_px());
-        compositor.lay(widget.box,
-                       {0, height,
-                        static_cast<float>(widget.box.width) / static_cast<float>(texture.width_px()),
-                        -height});
+        const Painted& shown = painted_.at({widget.part, widget.index});
+        shown.texture.bind(kPictureUnit);
+        compositor.lay(widget.box, shown.patch);
     }
 }
 

@@ -1,4 +1,5 @@
-// Widgets on the GPU: each is painted again only when it looks different.
+// Widgets on the GPU: each is painted again only when it looks different. What is larger than a texture may
+// be is painted smaller, and stretched.
 #pragma once
 
 #include <map>
@@ -26,7 +27,10 @@ private:
         Widget widget;
         double unit_px = 0;
         Texture texture;
+        Patch patch; ///< of the texture that is painted
     };
+    static Painted painted(const Widget& widget, double unit_px);
+
     std::map<std::pair<Part, int>, Painted> painted_;
     long paintings_ = 0;
 };

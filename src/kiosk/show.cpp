@@ -3,6 +3,7 @@
 #include <GLES2/gl2.h>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "exhibit/booth.h"
 #include "overlay/theme.h"
@@ -88,22 +89,30 @@ void Show::light(Play& play, const Cue& cue) {
     });
 }
 
-void Show::keep_old_picture(PxSize scene, double split) {
-    const Framebuffer& before =
-        picture_with_room(before_, scene.width_px, scene.height_px, DepthBuffer::none);
-    before.bind();
+void Show::keep_old_picture(PxSize scene, double now_s) {
+    const Framebuffer& room = picture_with_room(room_, scene.width_px, scene.height_px, DepthBuffer::none);
+    room.bind();
     glViewport(0, 0, scene.width_px, scene.height_px);
     compositor_.begin(scene, 0);
-    current_->lay(compositor_, {0, 0, scene.width_px, scene.height_px}, split, {}, 1);
-    before_patch_ = {0, 0, static_cast<float>(scene.width_px) / static_cast<float>(before.width_px()),
-                     static_cast<float>(scene.height_px) / static_cast<float>(before.height_px())};
+    lay_scene({0, 0, scene.width_px, scene.height_px}, last_split_, now_s);
+    std::swap(before_, room_);
+    before_patch_ = {0, 0, static_cast<float>(scene.width_px) / static_cast<float>(before_->width_px()),
+                     static_cast<float>(scene.height_px) / static_cast<float>(before_->height_px())};
+}
+
+void Show::lay_scene(const PxBox& box, double split, double now_s) {
+    const double share = fade_begins_ ? 0 : fade(now_s - fade_began_s_);
+    if (before_)
+        before_->bind_texture(kBeforeUnit);
+    current_->lay(compositor_, box, current_->side_by_side() ? 0.5 : split, before_patch_,
+                  before_ ? static_cast<float>(share) : 1);
 }
 
 void Show::stage(const Cue& cue, PxSize scene, double now_s) {
     const bool another = !cue_ || !(*cue_ == cue);
     const bool fades = another && cue_ && !only_brightness(*cue_, cue);
     if (fades)
-        keep_old_picture(scene, current_->side_by_side() ? 0.5 : last_split_);
+        keep_old_picture(scene, now_s);
     Play* const before = current_;
     try {
         Play& play = play_for(cue);
@@ -121,8 +130,7 @@ void Show::stage(const Cue& cue, PxSize scene, double now_s) {
     }
     if (before && before != current_)
         before->rest();
-    if (fades)
-        fade_began_s_ = now_s;
+    fade_begins_ = fade_begins_ || fades;
     cue_ = cue;
 }
 
@@ -132,22 +140,21 @@ void Show::paint(const Desk& desk) {
 
 void Show::compose(const Desk& desk, PxSize picture, int rotation_deg, Shift shift, double split,
                    double now_s, bool dark) {
+    if (std::exchange(fade_begins_, false))
+        fade_began_s_ = now_s;
     compositor_.begin(picture, rotation_deg);
     if (dark)
         return;
     ground_.bind(kPictureUnit);
     compositor_.lay({0, 0, picture.width_px, picture.height_px}, {});
     compositor_.shift(shift);
-    const double at = current_->side_by_side() ? 0.5 : split;
-    last_split_ = at;
     const PxBox& scene = desk.layout.scene;
-    if (before_)
-        before_->bind_texture(kBeforeUnit);
-    const auto share = static_cast<float>(fade(now_s - fade_began_s_));
-    current_->lay(compositor_, scene, at, before_patch_, before_ ? share : 1);
-    const int column = scene.left + static_cast<int>(std::lround(at * scene.width));
-    const int width = std::max(2, static_cast<int>(std::lround(desk.layout.unit_px / 3)));
-    if (at > 0 && at < 1) {
+    lay_scene(scene, split, now_s);
+    last_split_ = split;
+    const double at = current_->side_by_side() ? 0.5 : split;
+    if (current_->renderer().plan().halves.size() > 1 && at > 0 && at < 1) {
+        const int column = scene.left + static_cast<int>(std::lround(at * scene.width));
+        const int width = std::max(2, static_cast<int>(std::lround(desk.layout.unit_px / 3)));
         line_.bind(kPictureUnit);
         compositor_.lay({column - width / 2, scene.top, width, scene.height}, {});
     }

@@ -43,7 +43,8 @@ public:
     /// Paints what changed of the widgets.
     void paint(const Desk& desk);
 
-    bool fading(double now_s) const { return now_s < fade_began_s_ + kFade_s; }
+    /// From the choice on: the fade's time begins with its first frame, whatever planning and drawing took.
+    bool fading(double now_s) const { return fade_begins_ || now_s < fade_began_s_ + kFade_s; }
 
     const Play& play() const { return *current_; }
     /// How long the last scene took to draw, ms.
@@ -54,7 +55,8 @@ private:
     Play& play_for(const Cue& cue);
     const Exhibit& booth_at_one(const Cue& cue);
     void light(Play& play, const Cue& cue);
-    void keep_old_picture(PxSize scene, double split);
+    void keep_old_picture(PxSize scene, double now_s);
+    void lay_scene(const PxBox& box, double split, double now_s);
 
     const Exhibit& exhibit_;
     Compositor compositor_;
@@ -67,8 +69,11 @@ private:
     const Exhibit* toured_ = nullptr;
     Play* current_ = nullptr;
     std::optional<Cue> cue_;
-    std::optional<Framebuffer> before_;
+    /// What the scene fades out of; and room for what it fades out of next, which in the middle of a fade is
+    /// the mixture.
+    std::optional<Framebuffer> before_, room_;
     Patch before_patch_;
+    bool fade_begins_ = false;
     double fade_began_s_ = -1e9, last_split_ = 0.5;
 };
 

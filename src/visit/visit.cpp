@@ -27,6 +27,27 @@ std::optional<std::size_t> same_lamp(const Exhibit& old, std::size_t index, cons
     return std::nullopt;
 }
 
+/// The fresh exhibit's start, and what a visitor chose in the old one; objects may be others.
+VisitState kept(const Exhibit& old, const VisitState& state, const Exhibit& fresh) {
+    const VisitState was = start_state(old);
+    VisitState kept = start_state(fresh);
+    if (state.lamp && state.lamp != was.lamp)
+        if (const auto lamp = same_lamp(old, *state.lamp, fresh))
+            kept.lamp = lamp;
+    if (state.booth_left != was.booth_left)
+        kept.booth_left = same_lamp(old, state.booth_left, fresh).value_or(kept.booth_left);
+    if (state.booth_right != was.booth_right)
+        kept.booth_right = same_lamp(old, state.booth_right, fresh).value_or(kept.booth_right);
+    if (state.split != was.split)
+        kept.split = state.split;
+    if (state.language != was.language)
+        kept.language = state.language;
+    kept.strength = state.strength;
+    kept.mode = fresh.kiosk.lamps.size() < 2 ? kept.mode : state.mode;
+    kept.expert = state.expert;
+    return kept;
+}
+
 /// One step of a visitor's wish, in a state of an exhibit.
 struct Wish {
     const Exhibit& exhibit;
@@ -136,15 +157,7 @@ void Visit::take_over(const Exhibit& exhibit) {
     const Exhibit& old = *exhibit_;
     exhibit_ = &exhibit;
     if (phase_ == Phase::visitor) {
-        const VisitState start = start_state(exhibit);
-        // What nobody chose is the new exhibit's to say.
-        std::optional<std::size_t> chosen;
-        if (state_.lamp && state_.lamp != start_state(old).lamp)
-            chosen = same_lamp(old, *state_.lamp, exhibit);
-        state_.lamp = chosen ? chosen : start.lamp;
-        state_.booth_left = same_lamp(old, state_.booth_left, exhibit).value_or(start.booth_left);
-        state_.booth_right = same_lamp(old, state_.booth_right, exhibit).value_or(start.booth_right);
-        state_.seen.reset();
+        state_ = kept(old, state_, exhibit);
         return;
     }
     // A tour begins anew at the next tick, the night goes on.

@@ -60,6 +60,7 @@ void SurfacelessStage::show() {
 
 void SurfacelessStage::lose_context() {
     lost_ = true;
+    context_.reset();
     post(ContextLostEvent{});
 }
 

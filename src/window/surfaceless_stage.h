@@ -35,8 +35,7 @@ public:
     /// Called by wait() when no event is queued: posts what comes next, or nothing to let the time pass.
     void on_idle(std::function<void()> script) { script_ = std::move(script); }
     void advance(double seconds) { now_s_ += seconds; }
-    /// From now on context_lost() says so, and the next wait() once, until rebuild(). The context itself goes
-    /// on: what is drawn is lost only with rebuild().
+    /// Until rebuild() no call draws or makes anything: context_lost() says so, and the next wait() once.
     void lose_context();
     /// From now on rebuild() finds no display, and gives up.
     void lose_display() { display_ = false; }

@@ -22,6 +22,10 @@ inline std::string patches(const std::string& more = "") {
            unless_set("idle_s", "60") + unless_set("watch_s", "0") + unless_set("pixel_shift", "0") + more;
 }
 
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+}
+
 inline Exhibit kiosk_exhibit(const std::string& text) {
     return parse_exhibit(text, "kiosk.ini", ".", {}, nullptr, Use::kiosk);
 }

@@ -52,6 +52,42 @@ TEST(Fade, IsOverWithin300Ms) {
     EXPECT_EQ(at.stage.frames_shown(), frames) << "and nothing moves any more";
 }
 
+TEST(Fade, BeginsWithItsFirstFrame) {
+    TestKiosk at;
+    at.settle();
+    const Exhibit old = lit(at.text, at.state());
+    const Twin before(old);
+    at.turn(DisplayGoneEvent{});
+    at.tap(Part::lamp, 1);
+    at.stage.advance(10); // as if planning and drawing had taken so long
+    at.turn(DisplayBackEvent{});
+    EXPECT_TRUE(at.kiosk.show().fading(at.stage.now_s()));
+    const Seen8 seen(at);
+    for (const Place& place : places(at))
+        ASSERT_LE(apart(seen(place.x, place.y), before.color(place.object, place.half)), kMostSteps);
+}
+
+TEST(Fade, GoesOnFromTheMixtureWhereItIsBrokenOff) {
+    TestKiosk at;
+    at.settle();
+    const Exhibit old = lit(at.text, at.state());
+    at.tap(Part::lamp, 1);
+    const Exhibit next = lit(at.text, at.state());
+    const Twin from(old), to(next);
+    at.stage.advance(0.5 * kFade_s);
+    at.turn();
+    at.tap(Part::lamp, 0);
+    ASSERT_NE(at.state().lamp, 1u);
+    const Seen8 seen(at);
+    for (const Place& place : places(at)) {
+        const EncodedRgb8 a = from.color(place.object, place.half), b = to.color(place.object, place.half),
+                          shown = seen(place.x, place.y);
+        ASSERT_NEAR(shown.r, (a.r + b.r) / 2.0, 2.5);
+        ASSERT_NEAR(shown.g, (a.g + b.g) / 2.0, 2.5);
+        ASSERT_NEAR(shown.b, (a.b + b.b) / 2.0, 2.5);
+    }
+}
+
 TEST(Fade, StrengthFollowsTheFingerAtOnce) {
     TestKiosk at;
     at.settle();

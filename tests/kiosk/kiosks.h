@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,9 +34,13 @@ public:
         parts.log = &log_;
         parts.load = [this] {
             ++loads;
-            return std::make_unique<Loaded>(Loaded{kiosk_exhibit(text), all_words()});
+            in_loading();
+            return std::make_unique<Loaded>(Loaded{edit(kiosk_exhibit(text)), all_words()});
         };
-        parts.minute_of_day = [this] { return minute; };
+        parts.minute_of_day = [this] {
+            in_the_turn();
+            return minute;
+        };
         parts.describe = [this](const std::string& now) { described = now; };
         return parts;
     }
@@ -84,6 +89,10 @@ public:
 
     std::string text;
     int minute = 12 * 60, loads = 0;
+    /// Called while an exhibit is loaded; in each turn, between its events and its drawing.
+    std::function<void()> in_loading = [] {}, in_the_turn = [] {};
+    /// What becomes of an exhibit that was loaded: for what no file can say.
+    std::function<Exhibit(Exhibit)> edit = [](Exhibit exhibit) { return exhibit; };
     std::string described;
     std::vector<std::string> lines;
     SurfacelessStage stage;

@@ -71,4 +71,22 @@ inline std::vector<Place> places(const TestKiosk& at) {
     return all;
 }
 
+inline constexpr int kMostSteps = 2; ///< the GPU's float against the CPU's, and a linear filter between
+
+/// Whether the scene looks as the exhibit does, wherever it can be seen.
+inline void expect_colors(const TestKiosk& at, const Exhibit& drawn) {
+    const Twin twin(drawn);
+    const Seen8 seen(at);
+    std::size_t looked = 0;
+    for (const Place& place : places(at)) {
+        const EncodedRgb8 expected = twin.color(place.object, place.half);
+        const EncodedRgb8 shown = seen(place.x + at.shift.x_px, place.y + at.shift.y_px);
+        ASSERT_LE(apart(shown, expected), kMostSteps)
+            << "object " << place.object << " in half " << place.half << " at " << place.x << ", " << place.y
+            << ": " << text_of(shown) << " where " << text_of(expected) << " belongs";
+        ++looked;
+    }
+    EXPECT_GT(looked, 0u);
+}
+
 } // namespace metamer

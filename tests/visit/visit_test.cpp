@@ -168,6 +168,27 @@ TEST(Visit, AReloadKeepsWhatTheVisitorChose) {
     EXPECT_EQ(visit.state().booth_right, 0u);
 }
 
+TEST(Visit, AReloadTakesOverWhatNobodyChose) {
+    const Exhibit before = visited();
+    Exhibit after = visited();
+    after.kiosk.language = "de";
+    after.compare.emplace().split = 0.25;
+    after.kiosk.booth_left = 2;
+    Visit visit(before, 0);
+    visit.touch(1);
+    visit.act(SetStrength{2});
+    visit.take_over(after);
+    EXPECT_EQ(visit.state().language, "de");
+    EXPECT_EQ(visit.state().split, 0.25);
+    EXPECT_EQ(visit.state().booth_left, 2u);
+    EXPECT_EQ(visit.state().strength, 2) << "somebody chose it";
+    visit.act(ChooseMode{Mode::booth});
+    Exhibit bare = visited();
+    bare.kiosk.lamps.clear();
+    visit.take_over(bare);
+    EXPECT_EQ(visit.state().mode, Mode::methods) << "no lamps for a booth";
+}
+
 TEST(Visit, AReloadBeginsTheTourAnew) {
     const Exhibit before = visited(kTour), after = visited("[tour.1]\nseconds = 3\n");
     Visit visit(before, 0);
