@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/names.h"
+#include "image/utf8.h"
 
 namespace metamer {
 
@@ -77,6 +78,8 @@ int take_value(void* user, const char* section, const char* key, const char* val
     IniEntry entry{std::string(trimmed(section)), key, value, parse.line};
     if (entry.key.empty())
         parse.refuse("a value needs a key before the \"=\"");
+    else if (!is_utf8(entry.section) || !is_utf8(entry.key) || !is_utf8(entry.value))
+        parse.refuse("text that is not UTF-8");
     else if (entry.section.empty())
         parse.refuse("key \"" + entry.key + "\" stands outside any section");
     else if (const auto [first, is_new] =

@@ -33,8 +33,8 @@ struct IniFile {
 
 /// Reads INI text; `place` is the file's name for errors, which add the line. Throws bad_input for a line
 /// that is neither, text after `]`, a key outside any section, a key twice in a section, empty names, a line
-/// or section name over its limit, and a NUL byte. Bytes beyond ASCII pass as they are; a byte order mark at
-/// the start is skipped.
+/// or section name over its limit, a NUL byte, and a value that is not UTF-8 or stands under such a name; in
+/// comments any bytes will do. A byte order mark at the start is skipped.
 IniFile parse_ini(std::string_view text, const std::string& place);
 
 } // namespace metamer

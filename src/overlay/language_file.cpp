@@ -45,8 +45,6 @@ std::set<std::string> placeholders(std::string_view text) {
 std::string fault_of(const IniEntry& entry) {
     if (entry.value.empty())
         return "\"" + quotable(entry.key) + "\" has no text";
-    if (!is_utf8(entry.value) || !is_utf8(entry.key))
-        return "text that is not UTF-8";
     if (has_control(entry.value))
         return "\"" + quotable(entry.key) + "\" has control characters";
     return {};

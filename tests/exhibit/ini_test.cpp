@@ -45,9 +45,10 @@ TEST(Ini, AnIndentedLineContinuesNothing) {
               "cannot read a.ini:3: \"and more\" is neither [section] nor key = value");
 }
 
-TEST(Ini, KeepsBytesBeyondAscii) {
-    EXPECT_THAT(listed("[a]\nx = gr\xC3\xBCn\ny = \xFF\xFE\n"),
-                ElementsAre("2 a|x|gr\xC3\xBCn", "3 a|y|\xFF\xFE"));
+TEST(Ini, KeepsUtf8AndRefusesOtherText) {
+    EXPECT_THAT(listed("; gr\xFCn\n[a]\nx = gr\xC3\xBCn ; gr\xFCn\n"), ElementsAre("3 a|x|gr\xC3\xBCn"));
+    for (const char* text : {"[a]\nx = gr\xFCn\n", "[a]\ngr\xFCn = 1\n", "[gr\xFCn]\nx = 1\n"})
+        EXPECT_EQ(error_of(text), "cannot read a.ini:2: text that is not UTF-8");
 }
 
 TEST(Ini, SectionsWithoutValuesAreThere) {
