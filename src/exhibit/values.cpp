@@ -44,9 +44,11 @@ Error refused(const Setting& setting, const std::string& why) {
 Error refused_by(const Setting& setting, const std::string& item, const Error& inner) {
     const bool says_more = !inner.place().empty() && !inner.place().ends_with(item) &&
                            !inner.place().ends_with("\"" + item + "\"");
-    const std::string which = says_more ? inner.place() : item == setting.value ? "" : item;
-    const std::string cause = which.empty() ? inner.cause() : which + ": " + inner.cause();
-    return bad_input("read", setting.place, assignment(setting) + ": " + cause);
+    const std::string at_fault = says_more ? inner.place() + ": " + inner.cause() : inner.cause();
+    if (item == setting.value)
+        return bad_input("read", setting.place, assignment(setting) + ": " + at_fault);
+    return bad_input("read", setting.place,
+                     setting.key + ": " + (says_more ? at_fault : item + ": " + at_fault));
 }
 
 int whole(const Setting& setting) {

@@ -15,8 +15,8 @@ namespace metamer {
 Error refused(const Setting& setting, const std::string& why);
 
 /// The error for a value whose own lookup failed: `KEY = VALUE: CAUSE`. `item` is the part of the value that
-/// was looked up. Before the cause stands an inner place that says more than it (a file's line), else the
-/// item, unless it is all of the value.
+/// was looked up; where that is not all of it, `KEY: ITEM: CAUSE`. An inner place that says more than the
+/// item (a file's line) stands instead of it, else before the cause.
 Error refused_by(const Setting& setting, const std::string& item, const Error& inner);
 
 int whole(const Setting& setting);

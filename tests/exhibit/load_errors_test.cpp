@@ -107,7 +107,7 @@ TEST(LoadErrors, SceneAndObjects) {
         {"[scene]\nmaterials = crayon-rod\n",
          "2: materials = crayon-rod: the library has no such material; did you mean \"crayon-red\"?"},
         {"[scene]\nmaterials = cc-red, crayon-rod\n",
-         "2: materials = cc-red, crayon-rod: crayon-rod: the library has no such material; did you mean "
+         "2: materials: crayon-rod: the library has no such material; did you mean "
          "\"crayon-red\"?"},
         {"[scene]\nmaterials = cc-red,, cc-blue\n",
          "2: materials = cc-red,, cc-blue has an empty name between its commas"},
@@ -206,6 +206,10 @@ TEST(LoadErrors, ASpectrumFilesOwnLineIsKept) {
     const std::string ini = (folder / "a.ini").string(), csv = (folder / "lamp.csv").string();
     EXPECT_THAT(error_of([&] { load_exhibit(folder / "a.ini", with_quick_rows()); }),
                 testing::StartsWith("cannot read " + ini + ":2: spectrum = lamp.csv: " + csv + ":3: "));
+    // Of a list only the piece at fault is quoted.
+    write_file(folder / "a.ini", "[kiosk]\nlamps = D65, F11, lamp.csv, A2800\n");
+    EXPECT_THAT(error_of([&] { load_exhibit(folder / "a.ini", with_quick_rows()); }),
+                testing::StartsWith("cannot read " + ini + ":2: lamps: " + csv + ":3: "));
 }
 
 TEST(LoadErrors, MapsHaveSidesOfPowersOfTwo) {

@@ -159,7 +159,7 @@ TEST_F(RowsOfAFile, AKeyWithoutARow) {
     EXPECT_EQ(message("[lamp.1]\nspectrum = 2\n"),
               place(4) + "spectrum = 2: " + own + " has no lamp in row 2");
     EXPECT_EQ(message("[scene]\nmaterials = 1, 64\n"),
-              place(4) + "materials = 1, 64: 64: " + own + " has no material in row 64");
+              place(4) + "materials: 64: " + own + " has no material in row 64");
 }
 
 TEST_F(RowsOfAFile, NoAtlas) {
