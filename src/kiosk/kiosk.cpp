@@ -89,6 +89,8 @@ double Kiosk::due_s() const {
         due = std::min(due, watched_s_ + loaded_->exhibit.kiosk.watch_s);
     if (const auto alive = alive_interval())
         due = std::min(due, now + std::chrono::duration<double>(*alive).count());
+    if (const auto kept_back_s = parts_.log->due_in_s())
+        due = std::min(due, now + *kept_back_s);
     return due;
 }
 
@@ -99,6 +101,7 @@ bool Kiosk::turn(double most_s) {
     if (std::any_of(events.begin(), events.end(), quits))
         return false;
     notify_alive();
+    parts_.log->flush();
     try {
         return act_and_draw(events);
     } catch (const Error&) {

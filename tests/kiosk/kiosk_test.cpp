@@ -33,6 +33,26 @@ TEST(Kiosk, ShowsItsFirstFrameAndSaysSo) {
     expect_colors(at, lit(at.text, at.state()));
 }
 
+TEST(Kiosk, WakesForWhatTheLogKeptBack) {
+    TestKiosk at(patches("idle_s = 3600\n"));
+    std::vector<std::string> lines;
+    Log log([&](std::string_view line) { lines.emplace_back(line); },
+            [&] {
+                return std::chrono::steady_clock::time_point(
+                    std::chrono::seconds(std::lround(at.stage.now_s())));
+            },
+            false);
+    KioskParts parts = at.parts();
+    parts.log = &log;
+    Kiosk kiosk(std::move(parts));
+    log.write(Priority::info, "a", {{"n", "1"}});
+    log.write(Priority::info, "a", {{"n", "2"}});
+    const double since_s = at.stage.now_s();
+    kiosk.turn();
+    EXPECT_EQ(at.stage.now_s(), since_s + 60);
+    EXPECT_EQ(lines.back(), "event=a n=2 late_s=60");
+}
+
 TEST(Kiosk, DrawsNothingWhileNothingChanges) {
     TestKiosk at(patches("night = 20:00-08:00\nidle_s = 3600\n"));
     at.settle();
