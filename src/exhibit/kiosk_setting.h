@@ -42,7 +42,8 @@ struct KioskSetting {
     std::string language = "en";    ///< that the exhibit starts with
     std::filesystem::path strings;  ///< the folder of the languages; empty: the program's own
     std::vector<LampSetting> lamps; ///< the shelf; only lamp and key count
-    /// Of `lamps`, what the booth starts with.
+    /// Of `lamps`, what the booth starts with: two, unless the shelf has one or somebody wrote the same
+    /// twice.
     std::size_t booth_left = 0, booth_right = 0;
     std::vector<TourStep> tour;
     std::optional<NightHours> night;

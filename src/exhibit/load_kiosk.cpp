@@ -6,6 +6,7 @@
 #include "base/numbers.h"
 #include "exhibit/load_parts.h"
 #include "exhibit/values.h"
+#include "methods/three_numbers.h"
 
 namespace metamer {
 
@@ -58,12 +59,48 @@ std::vector<LampSetting> shelf(const Setting& setting, Rows& rows) {
     return lamps;
 }
 
+/// A visitor may light all of a half with any of them; half_views() would refuse it only then.
+void check_adaptation(const Settings& settings, const Setting& shelf, const KioskSetting& kiosk,
+                      const Atlas& atlas) {
+    if (load_display(settings).adaptation != Adaptation::bradford)
+        return;
+    const Setting& adaptation = *settings.find("display", "adaptation");
+    const GridObserver eye = observer(atlas);
+    for (const LampSetting& lamp : kiosk.lamps)
+        try {
+            const Xyz white = lamp_xyz(emission(atlas, lamp.key), eye);
+            if (white.y > 0)
+                bradford(white, white);
+        } catch (const Error& inner) {
+            throw bad_input("read", shelf.place,
+                            shelf.key + ": " + lamp.lamp.name + " does not go with adaptation = " +
+                                adaptation.value + " (" + adaptation.place + "): " + inner.cause());
+        }
+}
+
 std::size_t on_shelf(const Setting& setting, const KioskSetting& kiosk, Rows& rows) {
     const int key = rows.lamp(setting, setting.value).key;
     const auto found = std::ranges::find(kiosk.lamps, key, &LampSetting::key);
     if (found == kiosk.lamps.end())
         throw refused(setting, "is not on the shelf; add it to [kiosk] lamps");
     return static_cast<std::size_t>(found - kiosk.lamps.begin());
+}
+
+/// A side of the booth that nobody wrote: where it would start, or beside that where the other side is.
+std::size_t booth_side(std::size_t usual, std::size_t last, std::optional<std::size_t> other) {
+    const std::size_t side = std::min(usual, last);
+    return side == other && side > 0 ? side - 1 : side;
+}
+
+void load_booth(const Settings& settings, KioskSetting& kiosk, Rows& rows) {
+    const std::size_t last = kiosk.lamps.size() - 1;
+    const auto written = [&](const char* key) {
+        const Setting* s = settings.find("kiosk", key);
+        return s ? std::optional(on_shelf(*s, kiosk, rows)) : std::nullopt;
+    };
+    const std::optional<std::size_t> left = written("booth.left"), right = written("booth.right");
+    kiosk.booth_right = right ? *right : booth_side(3, last, left);
+    kiosk.booth_left = left ? *left : booth_side(1, last, kiosk.booth_right);
 }
 
 TourStep load_step(const Settings& settings, const std::string& section, const KioskSetting& kiosk,
@@ -145,11 +182,9 @@ KioskSetting load_kiosk(const Settings& settings, Rows& rows, bool with_shelf, c
     const Setting ours =
         unwritten("kiosk", "lamps", std::string(find_key("kiosk", "lamps")->fallback), place);
     kiosk.lamps = shelf(written ? *written : ours, rows);
-    const std::size_t last = kiosk.lamps.size() - 1;
-    const Setting* left = settings.find("kiosk", "booth.left");
-    const Setting* right = settings.find("kiosk", "booth.right");
-    kiosk.booth_left = left ? on_shelf(*left, kiosk, rows) : std::min<std::size_t>(1, last);
-    kiosk.booth_right = right ? on_shelf(*right, kiosk, rows) : std::min<std::size_t>(3, last);
+    if (with_shelf)
+        check_adaptation(settings, written ? *written : ours, kiosk, rows.atlas());
+    load_booth(settings, kiosk, rows);
     load_tour(settings, rows, kiosk, with_materials);
     return kiosk;
 }

@@ -66,10 +66,45 @@ TEST(KioskSettings, AreTakenOver) {
     EXPECT_EQ(kiosk.watch_s, 0);
 }
 
-TEST(KioskSettings, AShelfOfOneIsEnough) {
-    const KioskSetting kiosk = exhibit_of("[kiosk]\nlamps = F2\n").kiosk;
-    EXPECT_EQ(kiosk.booth_left, 0u);
-    EXPECT_EQ(kiosk.booth_right, 0u);
+/// What the booth of a shelf starts with, as "left right".
+std::string booth_of(const std::string& shelf, const std::string& written = "") {
+    const KioskSetting kiosk = exhibit_of("[kiosk]\nlamps = " + shelf + "\n" + written).kiosk;
+    return kiosk.lamps[kiosk.booth_left].lamp.name + " " + kiosk.lamps[kiosk.booth_right].lamp.name;
+}
+
+TEST(KioskSettings, TheBoothStartsWithTwoLampsWhereThereAreTwo) {
+    EXPECT_EQ(booth_of("F1"), "F1 F1");
+    EXPECT_EQ(booth_of("F1, F2"), "F1 F2");
+    EXPECT_EQ(booth_of("F1, F2, F3"), "F2 F3");
+    EXPECT_EQ(booth_of("F1, F2, F3, F4"), "F2 F4");
+    EXPECT_EQ(booth_of("F1, F2, F3, F4, F5"), "F2 F4");
+    EXPECT_EQ(booth_of("F1, F2", "booth.left = F2\n"), "F2 F1");
+    EXPECT_EQ(booth_of("F1, F2", "booth.right = F1\n"), "F2 F1");
+    EXPECT_EQ(booth_of("F1, F2", "booth.right = F2\n"), "F1 F2");
+    EXPECT_EQ(booth_of("F1, F2, F3", "booth.left = F3\n"), "F3 F2");
+    EXPECT_EQ(booth_of("F1, F2, F3, F4", "booth.left = F4\n"), "F4 F3");
+    EXPECT_EQ(booth_of("F1, F2, F3, F4", "booth.right = F2\n"), "F1 F2");
+    EXPECT_EQ(booth_of("F1, F2, F3, F4", "booth.left = F3\nbooth.right = F3\n"), "F3 F3") << "as written";
+}
+
+TEST(KioskSettings, NoLampThatNoEyeAdaptsTo) {
+    const auto refusal_for = [](Use use, const std::string& adaptation) {
+        return error_of([&] {
+            parse_exhibit("[display]\nadaptation = " + adaptation + "\n[kiosk]\nlamps = E, NIST-LPS, F11\n",
+                          "k.ini", config_folder(), with_quick_rows(), nullptr, use);
+        });
+    };
+    EXPECT_EQ(refusal_for(Use::kiosk, "bradford"),
+              "cannot read k.ini:4: lamps: NIST-LPS does not go with adaptation = bradford (k.ini:2): its "
+              "light does not excite all three cone responses of the Bradford transform");
+    EXPECT_EQ(refusal_for(Use::kiosk, "none"), "no error");
+    EXPECT_EQ(refusal_for(Use::frame, "bradford"), "no error") << "the shelf is not drawn";
+    EXPECT_EQ(error_of([] {
+                  parse_exhibit("[display]\nadaptation = bradford\n", "k.ini", config_folder(),
+                                with_quick_rows(), nullptr, Use::kiosk);
+              }),
+              "no error")
+        << "the shelf that nobody wrote";
 }
 
 TEST(Tour, StepsAreTakenOver) {
@@ -109,7 +144,7 @@ TEST(KioskSettings, AreRefusedWithTheirPlace) {
     EXPECT_EQ(refusal("[kiosk]\nlamps = E,, F2\n"),
               "cannot read k.ini:2: lamps = E,, F2 has nothing between two commas");
     EXPECT_EQ(refusal("[kiosk]\nlamps = E, F2, e\n"), "cannot read k.ini:2: lamps = E, F2, e has e twice");
-    EXPECT_THAT(refusal("[kiosk]\nlamps = E, F22\n"), HasSubstr("k.ini:2: lamps = E, F22: F22: "));
+    EXPECT_THAT(refusal("[kiosk]\nlamps = E, F22\n"), HasSubstr("k.ini:2: lamps: F22: "));
     EXPECT_THAT(refusal("[kiosk]\nlamps = F1,F2,F3,F4,F5,F6,F7,F8,F9,F10,F11,F12,E\n"),
                 HasSubstr("is 13 lamps; at most 12 fit on the shelf"));
     EXPECT_EQ(refusal("[kiosk]\nbooth.left = F2\n"),
