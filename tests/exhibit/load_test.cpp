@@ -239,9 +239,10 @@ TEST(Load, WhatAnEvenlyLitSceneCannotShowIsAWarning) {
     exhibit_of(
         "[scene]\nkind = patches\n[lamp.1]\nposition = 1 1 1\nshadow = yes\n[object.patch-1]\nspecular = 1\n",
         {}, &warnings);
-    EXPECT_THAT(warnings, ElementsAre("k.ini:7: specular has no effect in scene patches, which is evenly lit",
-                                      "k.ini:4: position has no effect in scene patches, which is evenly lit",
-                                      "k.ini:5: shadow has no effect in scene patches, which is evenly lit"));
+    EXPECT_THAT(warnings,
+                ElementsAre("k.ini:4: position has no effect in scene patches, which is evenly lit",
+                            "k.ini:5: shadow has no effect in scene patches, which is evenly lit",
+                            "k.ini:7: specular has no effect in scene patches, which is evenly lit"));
 }
 
 TEST(Load, AMissingFileIsNamed) {
