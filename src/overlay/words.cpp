@@ -31,7 +31,8 @@ std::vector<std::filesystem::path> language_files(const std::filesystem::path& f
     std::error_code error;
     std::vector<std::filesystem::path> files;
     for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
-        if (at->path().extension() == ".ini")
+        // Hidden ones are an editor's or a system's own: `.#de.ini`, `._de.ini`.
+        if (at->path().extension() == ".ini" && !at->path().filename().string().starts_with('.'))
             files.push_back(at->path());
     if (error)
         throw bad_input("read", folder.string(), error.message());

@@ -213,6 +213,8 @@ TEST_F(WordsFolder, FileMustBeNamedByALanguage) {
 
 TEST_F(WordsFolder, OtherFilesAreNotLookedAt) {
     std::ofstream(folder_ / "README.txt") << "not an INI file";
+    std::ofstream(folder_ / "._de.ini") << '\0' << "macOS's own";
+    std::filesystem::create_symlink("curator@desk.4711:1", folder_ / ".#de.ini"); // Emacs: it is being edited
     EXPECT_THAT(codes(Words(folder_)), ElementsAre("en"));
 }
 
