@@ -160,7 +160,6 @@ void SdlInput::take_finger(const SDL_TouchFingerEvent& event, std::vector<Event>
     const PxPoint at = of_finger(static_cast<double>(event.x), static_cast<double>(event.y));
     if (event.type == SDL_FINGERDOWN) {
         set_cursor(false);
-        cancel_lost(events);
         down(contact, at, events);
     } else {
         go_on(event.type == SDL_FINGERUP ? PointerPhase::up : PointerPhase::move, contact, at, events);
@@ -188,8 +187,6 @@ void SdlInput::go_on(PointerPhase phase, Contact contact, PxPoint at, std::vecto
         fingers_.erase(finger);
 }
 
-/// A touch screen that is unplugged, or whose cable shakes, never says `up`; its finger would stay down for
-/// good.
 void SdlInput::cancel_lost(std::vector<Event>& events) {
     const std::map<Contact, Finger> fingers = fingers_;
     for (const auto& [contact, finger] : fingers)

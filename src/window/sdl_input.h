@@ -42,6 +42,11 @@ public:
     /// Appends what this event means; nothing for most. Sizes are the caller's to watch.
     void take(const SDL_Event& event, std::vector<Event>& events);
 
+    /// Cancels the fingers that the host no longer knows: a touch screen that is unplugged, or whose cable
+    /// shakes, never says `up`. To be called once all events are taken, for the host is already where the
+    /// last of them leads.
+    void cancel_lost(std::vector<Event>& events);
+
 private:
     using Contact = std::pair<SDL_TouchID, SDL_FingerID>;
 
@@ -52,7 +57,6 @@ private:
     void take_finger(const SDL_TouchFingerEvent& event, std::vector<Event>& events);
     void down(Contact contact, PxPoint at, std::vector<Event>& events);
     void go_on(PointerPhase phase, Contact contact, PxPoint at, std::vector<Event>& events);
-    void cancel_lost(std::vector<Event>& events);
     void cancel_all(std::vector<Event>& events);
     void set_seen(bool window_shown, std::vector<Event>& events);
     void set_cursor(bool shown);

@@ -160,6 +160,7 @@ void SdlStage::look_at_connectors() {
 void SdlStage::take_pending() {
     for (SDL_Event event; SDL_PollEvent(&event) == 1;)
         take(event);
+    input_->cancel_lost(events_);
     tell_window();
     look_at_connectors();
     if (!loss_told_ && context_lost()) {

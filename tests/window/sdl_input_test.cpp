@@ -69,7 +69,7 @@ class SdlInputTest : public testing::Test {
 protected:
     SdlInput input(int rotation_deg = 0, PxSize window_size = {801, 401}) {
         const SdlHost host{[this] { return displays_; },
-                           [this](SDL_TouchID, SDL_FingerID id) { return !unplugged_.contains(id); },
+                           [this](SDL_TouchID, SDL_FingerID id) { return !up_.contains(id); },
                            [this](bool shown) { cursor_ = shown; }};
         SdlInput made(rotation_deg, host);
         made.set_sizes({801, 401}, window_size);
@@ -82,8 +82,14 @@ protected:
         return test::texts(taken);
     }
 
+    static Texts lost(SdlInput& input) {
+        std::vector<Event> told;
+        input.cancel_lost(told);
+        return test::texts(told);
+    }
+
     int displays_ = 1;
-    std::set<SDL_FingerID> unplugged_;
+    std::set<SDL_FingerID> up_; ///< what the host no longer knows
     bool cursor_ = true;
 };
 
@@ -121,12 +127,24 @@ TEST_F(SdlInputTest, AFingerStaysOnTheSurface) {
 }
 
 /// The touch screen was unplugged with a finger on it: the next touch is the first finger again.
-TEST_F(SdlInputTest, AFingerWithoutAnEndIsCanceledByTheNext) {
+TEST_F(SdlInputTest, AFingerWithoutAnEndIsCanceled) {
     SdlInput in = input();
-    EXPECT_THAT(take(in, {finger(SDL_FINGERDOWN, 1, 0, 0)}), ElementsAre("down 0 0.5 0.5"));
-    unplugged_ = {1};
-    EXPECT_THAT(take(in, {finger(SDL_FINGERDOWN, 2, 1, 1, 8)}),
-                ElementsAre("cancel 0 0.5 0.5", "down 0 800.5 400.5"));
+    take(in, {finger(SDL_FINGERDOWN, 1, 0, 0), button(SDL_MOUSEBUTTONDOWN, 1, 1)});
+    EXPECT_THAT(lost(in), IsEmpty());
+    up_ = {1};
+    EXPECT_THAT(lost(in), ElementsAre("cancel 0 0.5 0.5")) << "the mouse is no finger of SDL's";
+    EXPECT_THAT(lost(in), IsEmpty());
+    EXPECT_THAT(take(in, {finger(SDL_FINGERDOWN, 2, 1, 1, 8)}), ElementsAre("down 0 800.5 400.5"));
+}
+
+/// SDL knows the end of what it has read at once before the first event of it is taken.
+TEST_F(SdlInputTest, AFingerWhoseEndIsYetToBeTakenIsNotLost) {
+    SdlInput in = input();
+    take(in, {finger(SDL_FINGERDOWN, 1, 0, 0)});
+    up_ = {1};
+    EXPECT_THAT(take(in, {finger(SDL_FINGERDOWN, 2, 1, 1), finger(SDL_FINGERUP, 1, 0, 0)}),
+                ElementsAre("down 1 800.5 400.5", "up 0 0.5 0.5"));
+    EXPECT_THAT(lost(in), IsEmpty());
 }
 
 TEST_F(SdlInputTest, AFingerThatComesDownTwiceIsCanceledBetween) {
