@@ -66,7 +66,7 @@ TEST_F(Check, TheWordsOfAnExhibit) {
     fs::create_directory(folder_ / "strings");
     write("strings/xx.ini", "[language]\nname = X\n");
     write("kiosk.ini", read("one.ini") + "[kiosk]\nlanguage = xx\nstrings = strings\n");
-    expect_failure_like(2, {"check", "kiosk.ini"}, StartsWith("metamer: cannot read strings/xx.ini: \""));
+    expect_failure_like(2, {"check", "kiosk.ini"}, StartsWith("metamer: cannot read ./strings/xx.ini: \""));
     fs::copy_file(METAMER_SOURCE_DIR "/config/strings/en.ini", folder_ / "strings/xx.ini",
                   fs::copy_options::overwrite_existing);
     EXPECT_EQ(output_of({"check", "kiosk.ini"}), "kiosk.ini: valid exhibit, 1 object, 1 lamp\n");
