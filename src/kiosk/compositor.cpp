@@ -22,10 +22,7 @@ glm::vec4 to_glm(const Patch& patch) {
 
 } // namespace
 
-Compositor::Compositor()
-    : laid_(build_program(picture_variant(false))),
-      fading_(build_program(picture_variant(true))),
-      square_(unit_square()) {}
+Compositor::Compositor() : laid_(build_program(picture_variant(false))), square_(unit_square()) {}
 
 void Compositor::begin(PxSize picture, int rotation_deg) {
     picture_ = picture;
@@ -61,10 +58,12 @@ void Compositor::lay(const PxBox& box, const Patch& patch, float share) {
 }
 
 void Compositor::fade(const PxBox& box, const Patch& patch, const Patch& before, float share) {
-    place(fading_, box, patch);
-    fading_.set("u_before", kBeforeUnit);
-    fading_.set("u_before_uv", to_glm(before));
-    fading_.set("u_share", share);
+    if (!fading_)
+        fading_.emplace(build_program(picture_variant(true)));
+    place(*fading_, box, patch);
+    fading_->set("u_before", kBeforeUnit);
+    fading_->set("u_before_uv", to_glm(before));
+    fading_->set("u_share", share);
     square_.draw();
 }
 

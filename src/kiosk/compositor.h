@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "gles/mesh.h"
 #include "gles/program.h"
@@ -41,7 +42,8 @@ public:
 private:
     void place(const Program& program, const PxBox& box, const Patch& patch) const;
 
-    Program laid_, fading_;
+    Program laid_;
+    std::optional<Program> fading_; ///< from the first fade on: the first frame does not wait for it
     Mesh square_;
     PxSize picture_;
     Shift shift_;

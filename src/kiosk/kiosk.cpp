@@ -37,8 +37,6 @@ Kiosk::Kiosk(KioskParts parts) : parts_(std::move(parts)) {
     good_ = visit_;
     refresh();
     draw();
-    set_watch();
-    watched_s_ = parts_.stage->now_s();
     parts_.log->write(
         Priority::info, "shown",
         {{"driver", parts_.stage->driver()},
@@ -46,6 +44,8 @@ Kiosk::Kiosk(KioskParts parts) : parts_(std::move(parts)) {
          {"size", std::to_string(picture().width_px) + "x" + std::to_string(picture().height_px)}});
     notify_ready();
     notify_running();
+    set_watch();
+    watched_s_ = parts_.stage->now_s();
 }
 
 Kiosk::~Kiosk() = default;

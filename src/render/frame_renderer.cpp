@@ -58,9 +58,13 @@ Texture upload(const Image& image) {
 } // namespace
 
 int measured_bits() {
-    GLint range[2] = {}, bits = 0;
-    glGetShaderPrecisionFormat(GL_FRAGMENT_SHADER, GL_HIGH_FLOAT, range, &bits);
-    return measured_fragment_bits(bits > 0 ? Precision::highp : Precision::mediump);
+    // Once: a process draws on one GPU, and the probe's program takes as long as a scene's.
+    static const int measured = [] {
+        GLint range[2] = {}, bits = 0;
+        glGetShaderPrecisionFormat(GL_FRAGMENT_SHADER, GL_HIGH_FLOAT, range, &bits);
+        return measured_fragment_bits(bits > 0 ? Precision::highp : Precision::mediump);
+    }();
+    return measured;
 }
 
 FrameRenderer::FrameRenderer(const Exhibit& exhibit, DrawStyle style)
