@@ -8,14 +8,15 @@ namespace metamer {
 
 namespace {
 
-/// The picture in the lower left corner of power-of-two sides; its rows stay from the top.
-Texture upload(const Picture& picture, Filter filter) {
+/// The picture in the lower left corner of power-of-two sides; its rows stay from the top. Filtered as scenes
+/// are: drivers compile what is laid once, not once for each filter.
+Texture upload(const Picture& picture) {
     const int width = texture_side(picture.width_px), height = texture_side(picture.height_px);
     const auto row = static_cast<std::size_t>(picture.width_px) * 4;
     std::vector<std::uint8_t> padded(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
     for (std::size_t y = 0; y < static_cast<std::size_t>(picture.height_px); ++y)
         std::memcpy(&padded[y * static_cast<std::size_t>(width) * 4], &picture.rgba[y * row], row);
-    return {width, height, padded, {filter, Wrap::clamp, false}};
+    return {width, height, padded, {Filter::linear, Wrap::clamp, false}};
 }
 
 int greatest_side() {
@@ -39,12 +40,11 @@ bool looks_the_same(const Widget& a, const Widget& b) {
 
 OverlayTextures::Painted OverlayTextures::painted(const Widget& widget, double unit_px) {
     const int side = std::max(widget.box.width, widget.box.height), most = greatest_side();
-    const bool fits = side <= most;
-    const double scale = fits ? 1 : static_cast<double>(most) / side;
+    const double scale = std::min(1.0, static_cast<double>(most) / side);
     Widget small = widget;
     small.box.width = std::max(1, static_cast<int>(scale * widget.box.width));
     small.box.height = std::max(1, static_cast<int>(scale * widget.box.height));
-    Texture texture = upload(paint(small, scale * unit_px), fits ? Filter::nearest : Filter::linear);
+    Texture texture = upload(paint(small, scale * unit_px));
     const float width = static_cast<float>(small.box.width) / static_cast<float>(texture.width_px()),
                 height = static_cast<float>(small.box.height) / static_cast<float>(texture.height_px());
     // Rows from the top: the patch runs downwards.
