@@ -1,7 +1,6 @@
 #include "atlas/atlas_check.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "base/names.h"
@@ -39,8 +38,9 @@ Flaw flaw_of_lamp(const Atlas& atlas, int row) {
         return most == 0 ? Flaw() : row_text(row) + "red holds a lamp that has no name";
     if (const Flaw flaw = flaw_of_name(lamp.name, lamp.source))
         return row_text(row) + *flaw;
-    if (!(std::isfinite(lamp.peak) && lamp.peak > 0))
-        return row_text(row) + "the peak " + to_text(lamp.peak) + " is not a positive number";
+    if (!(lamp.peak >= kLeastPeak && lamp.peak <= kGreatestPeak))
+        return row_text(row) + "the peak " + to_text(lamp.peak) + " is outside " + to_text(kLeastPeak) +
+               " .. " + to_text(kGreatestPeak);
     if (most != 255)
         return row_text(row) + "the greatest value of lamp \"" + lamp.name + "\" is " + std::to_string(most) +
                ", not 255";

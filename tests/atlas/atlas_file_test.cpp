@@ -227,9 +227,12 @@ TEST(AtlasFile, RefusesLinesThatAreNone) {
 
 TEST(AtlasFile, RefusesNumbersAndNamesThatMakeNoSense) {
     const std::string lamps = "1\tramp\t12.3\ta test\n3\tthird\t1\ta test\n";
-    for (const std::string peak : {"0", "-1"})
+    // Found by scripts/fuzz: with a peak of 5e-324 a booth's levels were no numbers, with 1e+308 infinite.
+    for (const std::string peak : {"0", "-1", "5e-324", "9e-36", "2e+35", "1e+308"})
         EXPECT_EQ(refused(with_text("lamps", lamps + "2\tline\t" + peak + "\ta test\n")),
-                  "2: cannot read a.png: row 2: the peak " + peak + " is not a positive number");
+                  "2: cannot read a.png: row 2: the peak " + peak + " is outside 1e-35 .. 1e+35");
+    for (const std::string peak : {"1e-35", "1e+35"})
+        EXPECT_EQ(refused(with_text("lamps", lamps + "2\tline\t" + peak + "\ta test\n")), "no error");
     for (const std::string scale : {"0", "-0.5", "1.5"}) {
         Png png = decode_png(encode_atlas(sample_atlas(Quantization::weighted)), "a.png");
         png.text["metamer:materials"] = "1\tgray\t1\t\n2\tblack\t" + scale + "\t\n";
@@ -267,7 +270,7 @@ TEST(AtlasFile, WritesNothingThatItWouldNotRead) {
     atlas = sample_atlas();
     atlas.lamps[1].peak = std::numeric_limits<double>::infinity();
     EXPECT_EQ(error_of([&] { encode_atlas(atlas); }),
-              "2: cannot encode an atlas: row 1: the peak inf is not a positive number");
+              "2: cannot encode an atlas: row 1: the peak inf is outside 1e-35 .. 1e+35");
 }
 
 TEST(AtlasFile, ReadsFromDisk) {
