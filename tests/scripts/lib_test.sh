@@ -83,5 +83,5 @@ expect "X" desktop "$(screen disconnected /dev/pts/3 DISPLAY=:0)"
 expect "Wayland" desktop "$(screen disconnected /dev/pts/3 WAYLAND_DISPLAY=wayland-0)"
 
 expect "every package has a group and a reason" "" \
-    "$(awk '!/^#/ && (NF < 3 || $2 !~ /^(build|run|test|ci|bench|docs|package)$/)' "$scripts/packages")"
+    "$(awk '!/^#/ && (NF < 3 || $2 !~ /^(build|run|test|ci|bench|docs|fuzz|package)$/)' "$scripts/packages")"
 done_expecting
