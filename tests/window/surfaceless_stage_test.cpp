@@ -127,15 +127,15 @@ TEST(SurfacelessStage, HangsAsItIsTold) {
 TEST(SurfacelessStage, ALostContextIsToldOnceUntilItIsRebuilt) {
     SurfacelessStage stage(8, 8);
     for (int i = 0; i < 3; ++i) {
-        stage.lose_context();
-        EXPECT_TRUE(stage.context_lost());
-        EXPECT_THAT(texts(stage.wait(0)), ElementsAre("context lost"));
-        EXPECT_THAT(stage.wait(0), IsEmpty());
         stage.bind();
         GLuint texture = 0;
         glGenTextures(1, &texture);
         glBindTexture(GL_TEXTURE_2D, texture);
         EXPECT_TRUE(glIsTexture(texture));
+        stage.lose_context();
+        EXPECT_TRUE(stage.context_lost());
+        EXPECT_THAT(texts(stage.wait(0)), ElementsAre("context lost"));
+        EXPECT_THAT(stage.wait(0), IsEmpty());
         EXPECT_TRUE(stage.rebuild());
         EXPECT_FALSE(stage.context_lost());
         EXPECT_FALSE(glIsTexture(texture)); // another context
