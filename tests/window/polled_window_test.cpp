@@ -82,10 +82,10 @@ TEST_F(PolledWindow, APostWakesIt) {
 /// From the plug that is pulled to the first frame on another display.
 TEST_F(PolledWindow, TellsOfItsDisplay) {
     const auto stage = open();
-    SDL_Event touch{};
-    touch.type = SDL_FINGERDOWN;
-    touch.tfinger.touchId = 7;
-    SDL_PushEvent(&touch);
+    SDL_Event press{};
+    press.type = SDL_MOUSEBUTTONDOWN;
+    press.button.button = SDL_BUTTON_LEFT;
+    SDL_PushEvent(&press);
     EXPECT_THAT(texts(stage->wait(0)), ElementsAre("down 0 0.5 0.5"));
     plug("disconnected");
     EXPECT_THAT(texts(stage->wait(kLong_s)), ElementsAre("cancel 0 0.5 0.5", "display gone"));
