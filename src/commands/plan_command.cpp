@@ -49,9 +49,9 @@ nlohmann::ordered_json to_json(const Plan& plan) {
                                        {"method", method_name(object.method)}};
             if (object.method == Method::reduced)
                 row["taps"] = object.taps.wavelength_nm.size();
-            row.update({{"why", object.why},
+            row.update({{"why", in_english(object.why)},
                         {"delta_e_2000_bound", object.delta_e_bound},
-                        {"worst", object.worst},
+                        {"worst", in_english(object.worst)},
                         {"cost_ratio", object.cost_ratio},
                         {"asked", object.asked}});
             objects.push_back(row);
@@ -75,7 +75,7 @@ void print_text(const Plan& plan) {
                                          : "";
             std::printf("%-16s %-12s %9.4f %6.2f  %s\n", object.object.c_str(),
                         (std::string(method_name(object.method)) + taps).c_str(), object.delta_e_bound,
-                        object.cost_ratio, object.why.c_str());
+                        object.cost_ratio, in_english(object.why).c_str());
         }
     }
 }

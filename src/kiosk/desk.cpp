@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "kiosk/brief_error.h"
 #include "kiosk/product.h"
+#include "kiosk/reason_words.h"
 
 namespace metamer {
 
@@ -67,14 +69,15 @@ void DeskBuilder::add_halves() {
         return half_name(*facts_.exhibit, *facts_.plan, half, HalfName::full, *facts_.words, language_.code);
     };
     const bool booth = state_.mode == Mode::booth;
-    const auto card = [&](const char* key, std::size_t lamp) {
+    const auto card = [&](std::size_t half, std::size_t lamp) {
         const std::string& lamp_name = facts_.shelf->kiosk.lamps[lamp].lamp.name;
-        return say(key, {{"lamp", facts_.words->name_of(language_.code, "lamp", lamp_name)}});
+        const bool match = cards_match(*facts_.exhibit, *facts_.plan, *facts_.spectra, half);
+        return say(match ? "booth.match" : "booth.part",
+                   {{"lamp", facts_.words->name_of(language_.code, "lamp", lamp_name)}});
     };
-    const bool same = state_.booth_left == state_.booth_right;
-    const std::string left = booth ? card("booth.match", state_.booth_left) : name(0);
-    const std::string right = booth ? card(same ? "booth.match" : "booth.part", state_.booth_right)
-                                    : name(facts_.plan->halves.size() - 1);
+    const std::size_t last = facts_.plan->halves.size() - 1;
+    const std::string left = booth ? card(0, state_.booth_left) : name(0);
+    const std::string right = booth ? card(last, state_.booth_right) : name(last);
     if (facts_.plan->halves.size() > 1 && (booth || state_.split > 0))
         add(Part::left_label, desk_.layout.left_label, left).touchable = false;
     if (booth || state_.split < 1)
@@ -89,13 +92,13 @@ void DeskBuilder::add_shelf(Part part, const std::vector<PxBox>& boxes, std::opt
         Widget& tile = add(part, boxes[i], facts_.words->name_of(language_.code, "lamp", lamp.lamp.name),
                            static_cast<int>(i));
         tile.on = chosen == i;
-        tile.bars = lamp_bars(facts_.shelf->atlas, lamp.key);
+        tile.bars = lamp_bars(lamp, facts_.shelf->atlas);
     }
 }
 
 void DeskBuilder::add_strength() {
-    const std::string factor =
-        facts_.words->number(language_.code, state_.strength, state_.strength < 9.95 ? 1 : 0);
+    const int decimals = state_.strength < 0.995 ? 2 : state_.strength < 9.95 ? 1 : 0;
+    const std::string factor = facts_.words->number(language_.code, state_.strength, decimals);
     add(Part::strength, desk_.layout.strength, say("slider.strength", {{"factor", factor}})).value =
         slider_of_strength(state_.strength);
 }
@@ -132,12 +135,10 @@ void DeskBuilder::add_panels() {
         panel.product = product_;
         add(Part::close, desk_.layout.close, say("button.close"));
     }
-    add(Part::notice, desk_.layout.notice, facts_.notice).touchable = false;
+    add(Part::notice, desk_.layout.notice, brief_error(facts_.notice)).touchable = false;
 }
 
 Desk DeskBuilder::build() {
-    if (facts_.visit->phase() == Phase::night)
-        return {};
     if (state_.seen)
         product_ = product_panel(*facts_.exhibit, *facts_.plan, *facts_.spectra, *state_.seen, *facts_.words,
                                  language_.code);
@@ -185,7 +186,9 @@ const Widget* Desk::find(Part part, int index) const {
 
 Contents controls(const Exhibit& shelf, const Words& words, const VisitState& state) {
     Contents contents;
-    contents.lamps = static_cast<int>(shelf.kiosk.lamps.size());
+    // Where each half has a lamp of its own, the shelf's would change nothing.
+    const bool own_lamps = shelf.compare && shelf.compare->left.lamp && shelf.compare->right.lamp;
+    contents.lamps = own_lamps ? 0 : static_cast<int>(shelf.kiosk.lamps.size());
     contents.languages = static_cast<int>(words.languages().size());
     contents.booth = state.mode == Mode::booth;
     contents.right_to_left = words.language(state.language).right_to_left;
@@ -219,7 +222,8 @@ ExpertPanel expert_panel(const Facts& facts) {
     panel.rows.push_back(
         {say("expert.tolerance"),
          say("difference.number", {{"number", facts.words->number(language, facts.plan->tolerance, 2)}})});
-    panel.rows.push_back({say("expert.reason"), facts.plan->halves.back().objects[object].why});
+    panel.rows.push_back({say("expert.reason"), reason_words(facts.plan->halves.back().objects[object].why,
+                                                             *facts.words, language)});
     panel.rows.push_back(
         {say("expert.frame"),
          say("expert.milliseconds", {{"ms", facts.words->number(language, facts.frame_ms, 1)}})});

@@ -49,7 +49,7 @@ struct Desk {
 /// of, and enough for the scene's box.
 Contents controls(const Exhibit& shelf, const Words& words, const VisitState& state);
 
-/// Lays out and fills in. Dark in the night: no widgets.
+/// Lays out and fills in. Not for the night, when nothing stands there.
 Desk make_desk(const Facts& facts);
 
 /// What the expert panel says, row by row.

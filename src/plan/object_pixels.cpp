@@ -5,8 +5,6 @@
 #include <cmath>
 #include <set>
 
-#include "base/numbers.h"
-
 namespace metamer {
 
 namespace {
@@ -28,10 +26,6 @@ std::vector<int> keys_shown(const ObjectSetting& object) {
     return keys;
 }
 
-std::string rounded(double value) {
-    return to_text(std::round(value * 100) / 100);
-}
-
 /// The half's lamps one by one at strength 1, then all together as bright as one.
 std::vector<NamedPixel> lit_pixels(const HalfView& view) {
     const Pixel all = pixel_of(view);
@@ -45,10 +39,10 @@ std::vector<NamedPixel> lit_pixels(const HalfView& view) {
         Pixel one;
         one.lamps = {all.lamps[l]};
         one.lamps[0].strength = 1;
-        out.push_back({one, view.lamps[l].name, {l}});
+        out.push_back({one, {view.lamps[l].name, {}, {}, 0}, {l}});
     }
     if (out.size() > 1 && strengths > 0) {
-        out.push_back({all, "all lamps", {}});
+        out.push_back({all, {}, {}});
         for (std::size_t l = 0; l < all.lamps.size(); ++l)
             out.back().lamps.push_back(l);
         for (PixelLamp& lamp : out.back().pixel.lamps)
@@ -63,8 +57,8 @@ void add_medium(std::vector<NamedPixel>& out, const NamedPixel& pixel, const Lay
         NamedPixel through = pixel;
         through.pixel.medium = medium;
         through.pixel.thickness = object.thickness * step / kThicknesses;
-        through.what +=
-            " through " + object.medium->material.name + ", thickness " + rounded(through.pixel.thickness);
+        through.name.medium = object.medium->material.name;
+        through.name.thickness = through.pixel.thickness;
         out.push_back(through);
     }
 }
@@ -127,7 +121,7 @@ std::vector<NamedPixel> pixels_of(const Exhibit& exhibit, const HalfView& view, 
         for (const int key : keys) {
             NamedPixel pixel = lit;
             pixel.pixel.material = spectra.material(key);
-            pixel.what += " on " + exhibit.atlas.materials[static_cast<std::size_t>(key)].name;
+            pixel.name.material = exhibit.atlas.materials[static_cast<std::size_t>(key)].name;
             if (object.medium)
                 add_medium(out, pixel, spectra.material(object.medium->key), object);
             else if (other)

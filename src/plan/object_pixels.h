@@ -7,6 +7,7 @@
 #include "methods/shade.h"
 #include "plan/exhibit_spectra.h"
 #include "plan/half_view.h"
+#include "plan/reason.h"
 
 namespace metamer {
 
@@ -30,10 +31,10 @@ Pixel pixel_of(const Exhibit& exhibit, const HalfView& view, const ExhibitSpectr
 /// three must outlive it.
 Sight sight_of(const HalfView& view, const ExhibitSpectra& spectra, const Taps* taps = nullptr);
 
-/// A pixel with a word for people: its lamps and material.
+/// A pixel with names for people: its lamps and material.
 struct NamedPixel {
     Pixel pixel;
-    std::string what;               ///< `F11 on crayon-red`, `F11 on white through glass-blue, thickness 2.5`
+    PixelName name;
     std::vector<std::size_t> lamps; ///< which of the half's lamps the pixel's are
 };
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/printed.h"
 #include "color/difference.h"
 #include "exhibit/scene_kinds.h"
 #include "plan/cost.h"
@@ -29,11 +28,6 @@ struct Task {
     std::vector<NamedPixel> pixels;
     std::vector<Xyz> exact;
 };
-
-// A bound that nobody could see is not told to its last digit.
-std::string number(double value) {
-    return printed(value < 0.01 ? "%.1g" : "%.2f", std::max(value, 0.001));
-}
 
 /// The taps of an object that carries maps serve any of its materials.
 Taps taps_of(const Task& task, int count) {
@@ -60,7 +54,7 @@ void find_bound(const Task& task, ObjectPlan& plan, double enough = 1e9) {
         // What is not a number at all is the worst that can be.
         if (!(difference <= plan.delta_e_bound)) {
             plan.delta_e_bound = difference == difference ? difference : 1e9;
-            plan.worst = pixel.what;
+            plan.worst = pixel.name;
         }
     }
 }
@@ -119,44 +113,37 @@ std::vector<Candidate> candidates(const Task& task) {
     return out;
 }
 
-std::string why_chosen(const Task& task, const ObjectPlan& plan, const std::string& rejected) {
-    const std::string holds = "errs by at most " + number(plan.delta_e_bound);
-    const std::string after = rejected.empty() ? "" : "; " + rejected;
-    switch (plan.method) {
+Ground ground_of(const Task& task, Method method) {
+    switch (method) {
     case Method::folded:
-        return surface_of(task.exhibit, task.object, plan.method) == Surface::maps
-                   ? "light stays linear: a table gives the color of each key under each lamp, summed before "
-                     "the frame; " +
-                         holds + after
-                   : "light stays linear: its color under each lamp is a constant, summed before the "
-                     "frame; " +
-                         holds + after;
+        return surface_of(task.exhibit, task.object, method) == Surface::maps ? Ground::table
+                                                                              : Ground::constant;
     case Method::rgb:
     case Method::tristimulus:
     case Method::prefiltered:
-        return "under these lamps three numbers are as good as spectra: the product " + holds + after;
+        return Ground::product;
     case Method::reduced:
-        return (task.object.medium ? "its thickness varies from pixel to pixel: " : "") +
-               std::to_string(plan.taps.wavelength_nm.size()) +
-               " wavelengths chosen for these lamps err by at most " + number(plan.delta_e_bound) + after;
+        return task.object.medium ? Ground::thickness : Ground::taps;
     case Method::packed:
     case Method::spectral:
         break;
     }
-    return "nothing cheaper than all 64 wavelengths holds; it " + holds + after;
+    return Ground::all;
 }
 
 ObjectPlan chosen(const Task& task, double tolerance) {
-    std::string rejected;
+    std::optional<Reason::Rejected> rejected;
     for (const Candidate& candidate : candidates(task)) {
         ObjectPlan plan = tried(task, candidate, tolerance);
         if (plan.delta_e_bound <= tolerance) {
-            plan.why = why_chosen(task, plan, rejected);
+            plan.why = {.ground = ground_of(task, plan.method),
+                        .error = plan.delta_e_bound,
+                        .taps = static_cast<int>(plan.taps.wavelength_nm.size()),
+                        .worst = {},
+                        .rejected = rejected};
             return plan;
         }
-        rejected = std::string(method_name(candidate.method)) +
-                   (candidate.taps > 0 ? " with " + std::to_string(candidate.taps) : "") +
-                   ", which is cheaper, would err by " + number(plan.delta_e_bound) + " or more";
+        rejected = {candidate.method, candidate.taps, plan.delta_e_bound};
     }
     ObjectPlan best;
     best.delta_e_bound = 1e10;
@@ -164,9 +151,9 @@ ObjectPlan chosen(const Task& task, double tolerance) {
         if (ObjectPlan plan = tried(task, candidate, 1e9); plan.delta_e_bound < best.delta_e_bound)
             best = plan;
     throw bad_input("plan", "object \"" + task.object.name + "\" of " + task.exhibit.place,
-                    "no method holds a CIEDE2000 of " + number(tolerance) + "; " +
+                    "no method holds a CIEDE2000 of " + error_text(tolerance) + "; " +
                         std::string(method_name(best.method)) + " comes nearest and errs by " +
-                        number(best.delta_e_bound) + " (" + best.worst + ")");
+                        error_text(best.delta_e_bound) + " (" + in_english(best.worst) + ")");
 }
 
 ObjectPlan as_asked(const Task& task, Method method) {
@@ -180,8 +167,8 @@ ObjectPlan as_asked(const Task& task, Method method) {
     ObjectPlan plan =
         tried(task, candidate(task, method, method == Method::reduced ? task.exhibit.accuracy.taps : 0), 1e9);
     plan.asked = true;
-    plan.why =
-        "the exhibit asks for it; it errs by up to " + number(plan.delta_e_bound) + " (" + plan.worst + ")";
+    plan.why = {
+        .ground = Ground::asked, .error = plan.delta_e_bound, .taps = 0, .worst = plan.worst, .rejected = {}};
     return plan;
 }
 

@@ -21,11 +21,11 @@ Xyz shown_xyz(Method method, const Pixel& pixel, const Sight& sight, int fragmen
 struct ObjectPlan {
     std::string object;
     Method method = Method::folded;
-    Taps taps;                ///< of method reduced, for the half's lamps in their order
-    bool asked = false;       ///< the exhibit says so; else the planner chose
-    std::string why;          ///< one sentence
+    Taps taps;          ///< of method reduced, for the half's lamps in their order
+    bool asked = false; ///< the exhibit says so; else the planner chose
+    Reason why;
     double delta_e_bound = 0; ///< the greatest CIEDE2000 over pixels_of() against exact_xyz()
-    std::string worst;        ///< the pixel of that
+    PixelName worst;          ///< the pixel of that
     double cost_ratio = 1;    ///< counted (cost.h), to rgb as everybody writes it
 };
 

@@ -35,7 +35,7 @@ Reflectance unrounded(const Material& material, Quantization quantization) {
 std::string signature(const NamedPixel& named) {
     const Light<double>& light = named.pixel.lamps[0].light;
     const auto wall = reinterpret_cast<std::uintptr_t>(named.pixel.other ? named.pixel.other->row : nullptr);
-    return named.what + "|" + std::to_string(wall) + "|" + std::to_string(light.diffuse) + "|" +
+    return in_english(named.name) + "|" + std::to_string(wall) + "|" + std::to_string(light.diffuse) + "|" +
            std::to_string(light.bounced);
 }
 
@@ -138,9 +138,8 @@ std::vector<PairDifference> AccuracyProbe::differences(const Way& way) const {
             sight.taps = &taps;
             const double difference =
                 delta_e_2000(shown_xyz(object.method, pixel, sight, planned.fragment_bits), exact_[o][p]);
-            const std::string& lamp = known.view.lamps[named.lamps[0]].name;
-            out.push_back({std::isfinite(difference) ? difference : kNotANumber, lamp,
-                           named.what.substr(lamp.size() + std::string(" on ").size())});
+            out.push_back({std::isfinite(difference) ? difference : kNotANumber, named.name.lamp,
+                           named.name.surface()});
         }
     }
     return out;

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 
 #include "kiosk/desks.h"
+#include "kiosk/reason_words.h"
+#include "overlay/painter.h"
 
 namespace metamer {
 namespace {
@@ -96,13 +98,6 @@ TEST(Desk, SpeaksTheLanguageOfTheCaption) {
     EXPECT_EQ(at.desk.find(Part::expert)->text, at.words.text("de", "button.expert"));
 }
 
-TEST(Desk, IsEmptyAtNight) {
-    TestDesk at(patches("night = 20:00-08:00\n"));
-    at.visit.tick(100, 21 * 60);
-    ASSERT_EQ(at.visit.phase(), Phase::night);
-    EXPECT_THAT(make_desk(at.facts()).widgets, IsEmpty());
-}
-
 TEST(Desk, NamesTheHalves) {
     TestDesk at;
     EXPECT_EQ(at.desk.find(Part::left_label)->text, at.words.text("en", "half.numbers"));
@@ -119,6 +114,22 @@ TEST(Desk, NamesTheHalves) {
         << "under one lamp nothing parts";
 }
 
+// Other names and keys, one light: what decides is what the cards look like.
+TEST(Desk, TwoLampsOfOneSpectrumPartNothing) {
+    TestDesk at("[atlas]\nquantization = thesis\n[scene]\nkind = patches\nmaterials = cc-red\n[lamp.1]\n"
+                "spectrum = E\n[kiosk]\nlamps = A2800, planck:2800, F11\nbooth.left = A2800\n"
+                "booth.right = planck:2800\n");
+    at.tap(Part::mode);
+    const auto match = [&](const char* lamp) {
+        return at.words.text("en", "booth.match", {{"lamp", at.words.name_of("en", "lamp", lamp)}});
+    };
+    EXPECT_EQ(at.desk.find(Part::left_label)->text, match("A2800"));
+    EXPECT_EQ(at.desk.find(Part::right_label)->text, match("planck:2800"));
+    at.tap(Part::lamp_right, 2);
+    EXPECT_EQ(at.desk.find(Part::right_label)->text,
+              at.words.text("en", "booth.part", {{"lamp", at.words.name_of("en", "lamp", "F11")}}));
+}
+
 TEST(Desk, WithoutAComparisonNothingIsSplit) {
     TestDesk at("[atlas]\nquantization = thesis\n[scene]\nkind = loaf\nmaterials = cc-red\n[lamp.1]\n"
                 "spectrum = E\n[kiosk]\nlamps = E, F11\n");
@@ -132,20 +143,27 @@ TEST(Desk, ShowsTheStrength) {
     EXPECT_EQ(at.desk.find(Part::strength)->text,
               at.words.text("en", "slider.strength", {{"factor", "1.0"}}));
     EXPECT_EQ(at.desk.find(Part::strength)->value, 0.5);
-    at.visit.act(SetStrength{12.4});
+    const auto factor = [&](double strength) {
+        at.visit.act(SetStrength{strength});
+        at.lay();
+        return at.desk.find(Part::strength)->text;
+    };
     at.visit.act(ChooseLanguage{"de"});
-    at.lay();
-    EXPECT_THAT(at.desk.find(Part::strength)->text, HasSubstr("12"));
-    at.visit.act(SetStrength{0.25});
-    at.lay();
-    EXPECT_THAT(at.desk.find(Part::strength)->text, HasSubstr("0,2")) << "as Germans write it";
+    const auto german = [&](const char* number) {
+        return at.words.text("de", "slider.strength", {{"factor", number}});
+    };
+    EXPECT_EQ(factor(12.4), german("12"));
+    EXPECT_EQ(factor(9.94), german("9,9"));
+    EXPECT_EQ(factor(0.997), german("1,0"));
+    EXPECT_EQ(factor(0.25), german("0,25")) << "as Germans write it";
+    EXPECT_EQ(factor(kLeastStrength), german("0,05"));
 }
 
 TEST(Desk, LampsShowTheirSpectra) {
     TestDesk at;
     const Bars even = at.desk.find(Part::lamp, 0)->bars, tube = at.desk.find(Part::lamp, 2)->bars;
     ASSERT_EQ(even.size(), static_cast<std::size_t>(kIntervals));
-    EXPECT_THAT(even, testing::Each(1.0f));
+    EXPECT_THAT(even, testing::Each(testing::FloatNear(1, 1e-6F)));
     EXPECT_EQ(*std::max_element(tube.begin(), tube.end()), 1.0f);
     EXPECT_LT(*std::min_element(tube.begin(), tube.end()), 0.1f);
     EXPECT_EQ(at.desk.find(Part::lamp, 2)->text, at.words.name_of("en", "lamp", "F11"));
@@ -172,7 +190,7 @@ TEST(Desk, TellsExpertsHow) {
         values,
         ElementsAre(at.words.text("en", "method.tristimulus") + " | " + at.words.text("en", "method.folded"),
                     "sRGB-D65", "3 | 471", at.words.text("en", "difference.number", {{"number", "0.50"}}),
-                    at.plan().halves[1].objects[0].why,
+                    reason_words(at.plan().halves[1].objects[0].why, at.words, "en"),
                     at.words.text("en", "expert.milliseconds", {{"ms", "12.3"}})));
 }
 
@@ -206,6 +224,46 @@ TEST(Desk, NothingLeavesAnyScreen) {
                     << screen.width_px << 'x' << screen.height_px << ' ' << widget.text;
             }
         }
+}
+
+// Two methods, and a reason that tells of a third.
+TEST(Desk, ExpertsReadAllOfItInEveryLanguage) {
+    for (const ScreenSize screen : {ScreenSize{640, 480, 0},
+                                    {480, 640, 0},
+                                    {800, 480, 5.2},
+                                    {1280, 720, 0},
+                                    {1920, 1080, 0},
+                                    {720, 1280, 0}}) {
+        TestDesk at("[atlas]\nquantization = thesis\n[scene]\nkind = media\n[lamp.1]\nspectrum = F11\n"
+                    "[compare]\nleft.method = packed\n[kiosk]\nlamps = E, D65, F11\n",
+                    screen);
+        const std::vector<ObjectPlan>& plans = at.plan().halves.back().objects;
+        const auto wedge =
+            static_cast<std::size_t>(std::ranges::find(plans, "wedge", &ObjectPlan::object) - plans.begin());
+        ASSERT_TRUE(plans.at(wedge).why.rejected);
+        at.visit.act(ToggleExpert{});
+        for (const Language& language : at.words.languages())
+            for (const bool open : {false, true}) {
+                at.visit.act(ChooseLanguage{language.code});
+                if (open)
+                    at.visit.act(OpenObject{wedge, at.drawn().objects[wedge].material.material.name});
+                else
+                    at.visit.act(ClosePanel{});
+                at.lay();
+                const Widget& panel = *at.desk.find(Part::expert_panel);
+                EXPECT_FALSE(paint(panel, at.desk.layout.unit_px).text_cut)
+                    << language.code << ' ' << screen.width_px << 'x' << screen.height_px << ' ' << open;
+            }
+    }
+}
+
+TEST(Desk, TellsTechniciansBriefly) {
+    TestDesk at;
+    at.notice = at.words.text("en", "notice.refused",
+                              {{"error", "cannot read /srv/museum/kiosk.ini:12: strength = -1 is below 0"}});
+    at.lay();
+    EXPECT_EQ(at.desk.find(Part::notice)->text,
+              at.words.text("en", "notice.refused", {{"error", "kiosk.ini:12: strength = -1 is below 0"}}));
 }
 
 } // namespace

@@ -55,7 +55,8 @@ protected:
                 worst = std::max(worst,
                                  error_of(planned, plan, random_pixel(planned, planned.exhibit.objects[i])));
             const double least = fragment_bits < kFloatBits ? kLeastInHalf : kLeast;
-            EXPECT_LE(worst, kSlack * plan.delta_e_bound + least) << text << plan.object << ": " << plan.why;
+            EXPECT_LE(worst, kSlack * plan.delta_e_bound + least)
+                << text << plan.object << ": " << in_english(plan.why);
             EXPECT_LE(plan.delta_e_bound, plan.asked ? 100 : planned.plan.tolerance);
         }
     }
