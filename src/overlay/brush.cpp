@@ -192,8 +192,13 @@ TextLayout Brush::set(const std::string& bytes, double width_px, double size_px,
 }
 
 TextLayout Brush::fitted(const std::string& text, const Rect& rect, const TextStyle& style) {
-    const double least = least_px(style);
-    for (double size = style.size * unit_px_; size > least; size *= kShrink)
+    const double full = style.size * unit_px_, least = least_px(style);
+    TextStyle line = style;
+    line.lines = 1;
+    for (double size = full; size > std::max(least, style.one_line * full); size *= kShrink)
+        if (TextLayout layout = set(text, rect.w, size, line); fits(layout.get(), rect, line))
+            return layout;
+    for (double size = full; size > least; size *= kShrink)
         if (TextLayout layout = set(text, rect.w, size, style); fits(layout.get(), rect, style)) {
             balance(layout.get());
             return layout;
@@ -202,12 +207,26 @@ TextLayout Brush::fitted(const std::string& text, const Rect& rect, const TextSt
     if (!fits(layout.get(), rect, style)) {
         note_cut();
         pango_layout_set_wrap(layout.get(), PANGO_WRAP_WORD_CHAR);
-        pango_layout_set_ellipsize(layout.get(), PANGO_ELLIPSIZE_END);
+        pango_layout_set_ellipsize(layout.get(),
+                                   style.keeps_end ? PANGO_ELLIPSIZE_MIDDLE : PANGO_ELLIPSIZE_END);
         pango_layout_set_height(layout.get(), -style.lines);
         for (int lines = style.lines; lines > 1 && extents(layout.get()).height > rect.h; --lines)
             pango_layout_set_height(layout.get(), 1 - lines);
     }
     return layout;
+}
+
+TextLayout Brush::fitted_as_bold(const std::string& text, const Rect& rect, const TextStyle& style) {
+    TextStyle bold = style;
+    bold.bold = true;
+    TextLayout measured = fitted(text, rect, bold);
+    if (style.bold)
+        return measured;
+    if (pango_layout_is_ellipsized(measured.get()))
+        return fitted(text, rect, style);
+    const int size = pango_font_description_get_size(pango_layout_get_font_description(measured.get()));
+    return set(text, pango_layout_get_width(measured.get()) / static_cast<double>(PANGO_SCALE),
+               size / static_cast<double>(PANGO_SCALE), style);
 }
 
 Rect Brush::place(PangoLayout* layout, const Rect& rect, const TextStyle& style) {

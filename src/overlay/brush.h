@@ -37,6 +37,8 @@ struct TextStyle {
     bool bold = false;
     int lines = 2;              ///< at most
     bool own_direction = false; ///< by its own letters, not by the widget's language
+    double one_line = 1;        ///< letters shrink to this share of their size rather than stand in two lines
+    bool keeps_end = false;     ///< what does not fit is left out before the last words, not of them
 };
 
 struct FreeLayout {
@@ -70,6 +72,8 @@ public:
     /// A text as large as it fits into the rectangle, at most as its style says; in the smallest letters
     /// with an ellipsis, which text_cut() tells.
     TextLayout fitted(const std::string& text, const Rect& rect, const TextStyle& style);
+    /// The same, set as its bold letters would be, bold or not: a name stays where it is when it is chosen.
+    TextLayout fitted_as_bold(const std::string& text, const Rect& rect, const TextStyle& style);
     /// The text in letters of `size_px`, broken at this width.
     TextLayout set(const std::string& text, double width_px, double size_px, const TextStyle& style) const;
     /// Where it stands in the rectangle.

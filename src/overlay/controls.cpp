@@ -24,9 +24,15 @@ constexpr double kWidestTile = 40;
 // Widths in the bar: the least that their words need, the most that look like buttons.
 constexpr Range kSlider{26, 70}, kMode{24, 40}, kExpert{15, 26}, kLanguage{12, 18};
 
-// What the scene needs for labels, notice, caption, hint and handle; where it is narrow, the expert's panel
-// has to stand among them.
-constexpr double kLeastScene = 53, kLeastNarrowScene = 80, kNarrow = 120;
+// Where the screen is narrow, the expert's panel has to stand among the other things over the scene.
+constexpr double kNarrow = 120, kLeastNarrowScene = 92;
+
+/// What labels, notice, caption, hint and handle need above each other.
+double least_scene(double width, double gap) {
+    const double all =
+        kLabelHeight + kNoticeHeight + kCaptionHeight + kHintHeight + kHandleHeight + kCloseInset + 6 * gap;
+    return width < kNarrow ? std::max(all, kLeastNarrowScene) : all;
+}
 
 // Letters of 2.5 units keep 10 px, and a whole screen's shorter side is so many units.
 constexpr double kLeastUnit_px = 4, kMostUnits = 170, kFewestUnits = 60;
@@ -112,8 +118,8 @@ std::optional<Controls> arrange(const ScreenSize& screen, const Contents& conten
     }
     const int bars = c.bar_rows == 1 ? 1 : c.bar_rows - 1 + c.language_rows(contents.languages);
     c.height = c.gap + c.rows * (c.tile + c.gap) + bars * (c.bar + c.gap);
-    const double least_scene = width < kNarrow ? kLeastNarrowScene : kLeastScene;
-    const bool fits = c.height + kCloseHeight + kCloseInset <= height / 2 && height - c.height >= least_scene;
+    const bool fits =
+        c.height + kCloseHeight + kCloseInset <= height / 2 && height - c.height >= least_scene(width, c.gap);
     return fits ? std::optional(c) : std::nullopt;
 }
 

@@ -10,12 +10,9 @@ namespace metamer {
 namespace {
 
 // Units.
-constexpr double kLabelHeight = 7, kWidestLabel = 90;
-constexpr double kNoticeHeight = 7, kWidestNotice = 110;
-constexpr double kHintHeight = 7, kWidestHint = 100;
-constexpr double kCaptionHeight = 12, kWidestCaption = 140;
-constexpr double kWidestPanel = 170, kHighestPanel = 78, kHighestExpert = 56;
-constexpr double kHandleWidth = 12, kHandleHeight = kCloseHeight;
+constexpr double kWidestLabel = 90, kWidestNotice = 110, kWidestHint = 100, kWidestCaption = 140;
+constexpr double kWidestPanel = 170, kHighestPanel = 78, kHighestExpert = 64;
+constexpr double kHandleWidth = 12;
 // Below this width (units), or where the scene is not so much wider than high, the expert's panel stands over
 // the other things, not beside them.
 constexpr double kNarrowScene = 118, kWideAspect = 1.1;
@@ -28,19 +25,23 @@ struct Free {
     double height() const { return bottom - top; }
 };
 
+/// Where the scene is drawn, units; its left edge is the screen's.
+struct Scene {
+    double top, right, bottom;
+};
+
 class OverScene {
 public:
-    OverScene(const Controls& controls, const Contents& contents, double width, double height, Layout& layout)
+    OverScene(const Controls& controls, const Contents& contents, const Scene& scene, Layout& layout)
         : unit_px_(controls.unit_px),
           gap_(controls.gap),
           contents_(contents),
           layout_(layout),
-          free_{gap_, gap_, width - gap_, height} {}
+          free_{gap_, scene.top + gap_, scene.right - gap_, scene.bottom} {}
 
     void place() {
-        place_labels();
         if (contents_.notice)
-            layout_.notice = from_top(kNoticeHeight, kWidestNotice);
+            layout_.notice = from_top(notice_height(), kWidestNotice);
         if (!contents_.panel)
             free_.bottom -= kHandleHeight + kCloseInset + gap_;
         Free below = free_;
@@ -61,12 +62,11 @@ private:
         return px_box(unit_px_, left, top, right, bottom);
     }
 
-    void place_labels() {
-        const double width = std::min((free_.width() - gap_) / 2, kWidestLabel);
-        const double bottom = free_.top + kLabelHeight;
-        layout_.left_label = box(free_.left, free_.top, free_.left + width, bottom);
-        layout_.right_label = box(free_.right - width, free_.top, free_.right, bottom);
-        free_.top = bottom + gap_;
+    /// Panels are for visitors: where they need the room, two lines have to do.
+    double notice_height() const {
+        constexpr double kTwoLines = 7, kPanels = 80;
+        const bool panels = contents_.panel || contents_.expert;
+        return panels ? std::clamp(free_.height() - kPanels, kTwoLines, kNoticeHeight) : kNoticeHeight;
     }
 
     PxBox from_top(double height, double widest) {
@@ -85,7 +85,7 @@ private:
     /// Beside what follows, or above it; leaves that in `below`.
     void place_expert(Free& below) {
         if (free_.width() >= std::max(kNarrowScene, kWideAspect * free_.height())) {
-            const double width = std::clamp(0.34 * free_.width(), 46.0, 84.0);
+            const double width = std::clamp(0.36 * free_.width(), 46.0, 84.0);
             const double left = free_.right - width;
             const double bottom = std::min(free_.bottom, free_.top + kHighestExpert);
             layout_.expert_panel = box(left, free_.top, free_.right, bottom);
@@ -94,7 +94,7 @@ private:
         }
         const double lines =
             (contents_.hint ? kHintHeight + gap_ : 0) + (contents_.caption ? kCaptionHeight + gap_ : 0);
-        const double height = contents_.panel ? 0.42 * free_.height() : free_.height() - lines;
+        const double height = contents_.panel ? 0.45 * free_.height() : free_.height() - lines;
         const double bottom = free_.top + std::min(height, kHighestExpert);
         layout_.expert_panel = box(free_.left, free_.top, free_.right, bottom);
         below.top = bottom + gap_;
@@ -114,6 +114,14 @@ private:
     Layout& layout_;
     Free free_;
 };
+
+/// Above the scene, so that they hide nothing of it.
+void place_labels(const Controls& controls, double width, Layout& layout) {
+    const double gap = controls.gap, label = std::min((width - 3 * gap) / 2, kWidestLabel);
+    const double bottom = gap + kLabelHeight;
+    layout.left_label = px_box(controls.unit_px, gap, gap, gap + label, bottom);
+    layout.right_label = px_box(controls.unit_px, width - gap - label, gap, width - gap, bottom);
+}
 
 void mirror(const ScreenSize& screen, const Contents& contents, Layout& layout) {
     const auto turn = [&](PxBox& box, int width_px) {
@@ -141,9 +149,11 @@ Layout lay_out(const ScreenSize& screen, const Contents& contents) {
     layout.unit_px = controls.unit_px;
     place_controls(controls, screen, contents, layout);
     const double width = screen.width_px / controls.unit_px;
-    const double height = screen.height_px / controls.unit_px - controls.height;
-    layout.scene = px_box(controls.unit_px, 0, 0, width, height);
-    OverScene(controls, contents, width, height, layout).place();
+    place_labels(controls, width, layout);
+    const Scene scene{kLabelHeight + 2 * controls.gap, width,
+                      screen.height_px / controls.unit_px - controls.height};
+    layout.scene = px_box(controls.unit_px, 0, scene.top, scene.right, scene.bottom);
+    OverScene(controls, contents, scene, layout).place();
     if (contents.right_to_left)
         mirror(screen, contents, layout);
     return layout;

@@ -28,9 +28,9 @@ struct Contents {
 /// Boxes of no size stand for what is not there: nothing that Contents lacks, no mode button for fewer than
 /// two lamps, no language buttons for fewer than two languages, no caption and no hint beside a panel.
 struct Layout {
-    PxBox scene;        ///< where the scene is drawn; overlaps no control
-    double unit_px = 4; ///< a millimetre on this screen, after shrinking
-    PxBox left_label, right_label;
+    PxBox scene;                   ///< where the scene is drawn; overlaps no control
+    double unit_px = 4;            ///< a millimetre on this screen, after shrinking
+    PxBox left_label, right_label; ///< above the scene
     std::vector<PxBox> lamps, lamps_right;
     PxBox strength, mode, expert, panel, close, expert_panel, caption, hint, notice;
     std::vector<PxBox> languages;
@@ -45,6 +45,10 @@ struct Layout {
 Layout lay_out(const ScreenSize& screen, const Contents& contents);
 
 inline constexpr double kCloseWidth = 22, kCloseHeight = 9, kCloseInset = 0.8;
+
+/// Heights, units: two lines of words, of a notice four; and a finger's.
+inline constexpr double kLabelHeight = 7, kNoticeHeight = 12.6, kHintHeight = 7, kCaptionHeight = 12;
+inline constexpr double kHandleHeight = kCloseHeight;
 
 /// The handle on the split (0 .. 1 of the scene's width), at the scene's lower edge, inside the scene; of no
 /// size while a panel lies there.

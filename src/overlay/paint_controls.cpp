@@ -41,7 +41,10 @@ void paint_lamp(Brush& brush, const Widget& widget, const Rect& whole) {
     Rect rest = whole.inset(0.8 * u, 0.8 * u);
     const Rect name = rest.cut_top(0.46 * whole.h);
     rest.cut_top(0.4 * u);
-    brush.write(widget.text, name, {2.7, kTileTone.ink, Align::center, Stand::middle, widget.on, 2});
+    TextStyle style{2.7, kTileTone.ink, Align::center, Stand::middle, widget.on, 2};
+    style.one_line = 0.88;
+    if (!widget.text.empty() && name.w >= 1 && name.h >= 1)
+        brush.write(brush.fitted_as_bold(widget.text, name, style).get(), name, style);
     brush.fill(rest, 0.6 * u, kPlotTone);
     cairo_save(brush.cairo());
     brush.round(rest, 0.6 * u);

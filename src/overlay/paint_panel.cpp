@@ -35,7 +35,7 @@ void paint_sign(const Brush& brush, const Rect& at, bool times) {
 void paint_plots(Brush& brush, const ProductPanel& product, Rect rest) {
     const double u = brush.unit(), sign = 5 * u;
     const double width = (rest.w - 2 * sign) / 3;
-    const double name = std::clamp(0.24 * rest.h, 3.6 * u, 6.6 * u);
+    const double name = std::clamp(0.24 * rest.h, 4.8 * u, 6.6 * u);
     const std::array<std::pair<const std::string*, const Bars*>, 3> plots{
         {{&product.lamp_name, &product.lamp},
          {&product.material_name, &product.material},
@@ -86,7 +86,7 @@ struct Row {
     double height = 0;
 };
 
-constexpr double kNameShare = 0.36, kColumnGap = 1.6, kRowGap = 0.9;
+constexpr double kNameShare = 0.3, kColumnGap = 1.6, kRowGap = 0.7;
 
 std::vector<Row> set_rows(const Brush& brush, const ExpertPanel& expert, double width, double size_px,
                           const TextStyle& name, const TextStyle& value) {

@@ -81,10 +81,16 @@ void paint_hint(Brush& brush, const Widget& widget, const Rect& whole) {
 }
 
 void paint_notice(Brush& brush, const Widget& widget, const Rect& whole) {
-    const double u = brush.unit();
-    brush.fill(whole, kCorner * u, kNoticeTone);
-    Rect rest = whole.inset(1.2 * u, 0.6 * u);
-    const Rect sign = brush.cut_start(rest, 5.2 * u);
+    const double u = brush.unit(), pad = 0.6 * u;
+    TextStyle style{2.4, kNoticeTone.ink, brush.start(), Stand::middle, false, 4};
+    style.keeps_end = true;
+    Rect rest = whole.inset(1.2 * u, pad);
+    Rect sign = brush.cut_start(rest, 5.2 * u);
+    brush.cut_start(rest, 0.8 * u);
+    const TextLayout layout = brush.fitted(widget.text, rest, style);
+    // No larger than what it says, and its sign.
+    rest.h = sign.h = std::min(rest.h, std::max(Brush::place(layout.get(), rest, style).h, 5 * u));
+    brush.fill({whole.x, whole.y, whole.w, std::min(rest.h + 2 * pad, whole.h)}, kCorner * u, kNoticeTone);
     cairo_t* cairo = brush.cairo();
     const double x = sign.middle_x(), y = sign.middle_y(), arm = 2.1 * u;
     cairo_move_to(cairo, x, y - arm);
@@ -97,8 +103,7 @@ void paint_notice(Brush& brush, const Widget& widget, const Rect& whole) {
     cairo_stroke(cairo);
     brush.write("!", {x - arm, y - 0.75 * arm, 2 * arm, 1.6 * arm},
                 {2.2, kNoticeTone.ink, Align::center, Stand::middle, true, 1});
-    brush.cut_start(rest, 0.8 * u);
-    brush.write(widget.text, rest, {2.4, kNoticeTone.ink, brush.start(), Stand::middle, false, 3});
+    brush.write(layout.get(), rest, style);
 }
 
 } // namespace metamer

@@ -62,8 +62,4 @@ Picture paint(const Widget& widget, double unit_px) {
     return picture;
 }
 
-bool text_fits(const Widget& widget, double unit_px) {
-    return !paint(widget, unit_px).text_cut;
-}
-
 } // namespace metamer

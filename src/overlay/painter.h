@@ -22,7 +22,4 @@ struct Picture {
 /// wavelengths on the left, whatever the language. Throws failure where Cairo runs out of memory.
 Picture paint(const Widget& widget, double unit_px);
 
-/// Whether every text of the widget stands there whole.
-bool text_fits(const Widget& widget, double unit_px);
-
 } // namespace metamer

@@ -3,9 +3,10 @@
 
 #include <optional>
 
+#include "overlay/contrast.h"
 #include "overlay/painter.h"
+#include "overlay/pixels.h"
 #include "overlay/sample_screen.h"
-#include "pixels.h"
 
 namespace metamer {
 namespace {
@@ -72,6 +73,65 @@ TEST_P(Fit, EveryLampOnItsTile) {
     }
 }
 
+TEST_P(Fit, EveryLampOverItsSideOfTheBooth) {
+    for (const ScreenSize& screen : screens()) {
+        Contents contents;
+        contents.lamps = 8;
+        contents.languages = 6;
+        contents.booth = true;
+        const Layout layout = lay_out(screen, contents);
+        for (const auto& [key, name] : words_.language(GetParam()).words)
+            for (const char* said : {"booth.match", "booth.part", "half.lamp"}) {
+                if (!key.starts_with("lamp."))
+                    continue;
+                Widget label;
+                label.part = Part::right_label;
+                label.box = layout.right_label;
+                label.text = words_.text(GetParam(), said, {{"lamp", name}});
+                label.right_to_left = words_.language(GetParam()).right_to_left;
+                EXPECT_TRUE(text_fits(label, layout.unit_px)) << label.text << " " << screen.width_px;
+            }
+    }
+}
+
+/// The rows of a tile that its name's letters stand in.
+std::pair<int, int> rows_of_name(const Widget& tile, double unit_px) {
+    const Picture picture = paint(tile, unit_px);
+    const Srgb ground = pixel(picture, picture.width_px / 2, static_cast<int>(0.8 * unit_px)).color;
+    std::pair<int, int> rows{-1, -1};
+    const int edge = static_cast<int>(unit_px);
+    for (int y = edge; y < 0.46 * picture.height_px; ++y)
+        for (int x = edge; x < picture.width_px - edge; ++x)
+            if (contrast(pixel(picture, x, y).color, ground) > 4.5)
+                rows = {rows.first < 0 ? y : rows.first, y};
+    return rows;
+}
+
+TEST_P(Fit, ALampsNameStaysWhereItIsWhenItIsChosen) {
+    for (const ScreenSize& screen :
+         {ScreenSize{640, 480, 0}, {800, 480, 5.2}, {1280, 720, 0}, {1920, 1080, 0}}) {
+        Contents contents;
+        contents.lamps = 8;
+        contents.languages = 6;
+        const Layout layout = lay_out(screen, contents);
+        for (const auto& [key, name] : words_.language(GetParam()).words) {
+            if (!key.starts_with("lamp."))
+                continue;
+            Widget tile;
+            tile.part = Part::lamp;
+            tile.box = layout.lamps[0];
+            tile.text = name;
+            tile.right_to_left = words_.language(GetParam()).right_to_left;
+            const auto plain = rows_of_name(tile, layout.unit_px);
+            tile.on = true;
+            const auto chosen = rows_of_name(tile, layout.unit_px);
+            const double slack = 0.5 * layout.unit_px; // bold letters are a little higher
+            EXPECT_NEAR(plain.first, chosen.first, slack) << name << " " << screen.width_px;
+            EXPECT_NEAR(plain.second, chosen.second, slack) << name << " " << screen.width_px;
+        }
+    }
+}
+
 TEST_P(Fit, EveryDifferenceMethodAndHintInItsPlace) {
     for (const ScreenSize& screen : screens()) {
         Sample sample;
@@ -81,18 +141,22 @@ TEST_P(Fit, EveryDifferenceMethodAndHintInItsPlace) {
         sample.contents.panel = sample.contents.expert = true;
         for (const double delta_e : {0.5, 1.5, 3.0, 7.0, 20.0}) {
             sample.difference = std::string(difference_key(delta_e));
+            sample.glass = !sample.glass;
             expect_fits(sample, Part::panel);
         }
-        for (const char* method : {"rgb", "tristimulus", "spectral", "prefiltered", "packed", "reduced"}) {
-            sample.method = method;
-            expect_fits(sample, Part::expert_panel);
-        }
+        for (const char* method : {"rgb", "tristimulus", "spectral", "prefiltered", "packed", "reduced"})
+            for (const char* ground : {"asked", "constant", "table", "product", "taps", "medium", "all"}) {
+                sample.method = method;
+                sample.ground = ground;
+                expect_fits(sample, Part::expert_panel);
+            }
         sample.contents = {12, 6, false, false, false, true, true, false, false};
         for (const char* key : {"hint.start", "hint.methods", "hint.booth", "booth.match", "booth.part"}) {
             SampleScreen whole = sample_screen(words_, sample);
             for (Widget& widget : whole.widgets)
                 if (widget.part == Part::hint || widget.part == Part::caption) {
-                    widget.text = words_.text(GetParam(), key);
+                    widget.text = words_.text(
+                        GetParam(), key, {{"lamp", words_.name_of(GetParam(), "lamp", "NIST-MH-MHC100-4K")}});
                     EXPECT_TRUE(text_fits(widget, whole.layout.unit_px)) << said(sample) << " " << key;
                 }
         }

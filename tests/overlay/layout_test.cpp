@@ -22,8 +22,8 @@ std::ostream& operator<<(std::ostream& out, const Named& named) {
 }
 
 std::vector<Named> boxes_of(const Layout& layout, double split = 0.5) {
-    std::vector<Named> all{{"left_label", 0, layout.left_label, false, true},
-                           {"right_label", 0, layout.right_label, false, true},
+    std::vector<Named> all{{"left_label", 0, layout.left_label, false, false},
+                           {"right_label", 0, layout.right_label, false, false},
                            {"strength", 0, layout.strength, true, false},
                            {"mode", 0, layout.mode, true, false},
                            {"expert", 0, layout.expert, true, false},
@@ -111,6 +111,17 @@ TEST(Layout, KeepsEveryBoxInsideTheScreenAndApart) {
                 if (overlap(one.box, all[j].box) && !(one.box == layout.close && all[j].box == layout.panel))
                     ADD_FAILURE() << one << " overlaps " << all[j];
         }
+    });
+}
+
+TEST(Layout, PutsLabelsAboveTheSceneEachOverItsHalf) {
+    for_all([](const ScreenSize& screen, const Contents&, const Layout& layout) {
+        EXPECT_LE(layout.left_label.bottom(), layout.scene.top);
+        EXPECT_LE(layout.right_label.bottom(), layout.scene.top);
+        EXPECT_LE(layout.left_label.right(), screen.width_px / 2);
+        EXPECT_GE(layout.right_label.left, screen.width_px / 2);
+        EXPECT_EQ(layout.scene.left, 0);
+        EXPECT_NEAR(layout.scene.width, screen.width_px, 1);
     });
 }
 

@@ -6,9 +6,10 @@
 #include <limits>
 
 #include "color/grid.h"
+#include "overlay/contrast.h"
 #include "overlay/layout.h"
+#include "overlay/pixels.h"
 #include "overlay/theme.h"
-#include "pixels.h"
 
 namespace metamer {
 namespace {
@@ -208,6 +209,33 @@ TEST(Painter, TextThatCannotFitIsCutAndToldSo) {
     for (int i = 0; i < 40; ++i)
         expert.expert->rows.push_back({"name", "value"});
     EXPECT_FALSE(text_fits(expert, kUnit_px));
+}
+
+// An error's cause is its end.
+TEST(Painter, ANoticeThatIsCutKeepsItsEnd) {
+    const auto picture = [](const std::string& cause) {
+        std::string text = "Not taken over: kiosk.ini:12: ";
+        for (int i = 0; i < 60; ++i)
+            text += "long words ";
+        return paint(widget(Part::notice, 500, 63, text + cause), kUnit_px);
+    };
+    EXPECT_TRUE(picture("no such file").text_cut);
+    EXPECT_NE(picture("no such file").rgba, picture("is below 0").rgba);
+}
+
+TEST(Painter, ANoticeIsAsHighAsItsWords) {
+    const auto height = [](const std::string& text) {
+        int lowest = 0;
+        for_pixels(paint(widget(Part::notice, 300, 63, text), kUnit_px),
+                   [&](int, int y, const Pixel& p) { lowest = p.alpha > 200 ? y : lowest; });
+        return lowest;
+    };
+    std::string four;
+    for (int i = 0; i < 14; ++i)
+        four += "four lines ";
+    EXPECT_FALSE(paint(widget(Part::notice, 300, 63, four), kUnit_px).text_cut);
+    EXPECT_GT(height(four), 55);
+    EXPECT_LT(height("one line"), 35);
 }
 
 TEST(Painter, LettersShrinkBeforeTheyAreCut) {

@@ -9,6 +9,11 @@
 
 namespace metamer {
 
+/// Whether every text of the widget stands there whole.
+inline bool text_fits(const Widget& widget, double unit_px) {
+    return !paint(widget, unit_px).text_cut;
+}
+
 struct Pixel {
     Srgb color;
     std::uint8_t alpha;

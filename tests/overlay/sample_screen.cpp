@@ -42,10 +42,12 @@ public:
         add_shelf(Part::lamp_right, screen_.layout.lamps_right, sample_.chosen + 3);
         add_bar();
         add_panels();
-        add(Part::caption, screen_.layout.caption, said("booth.match"));
+        add(Part::caption, screen_.layout.caption, said("booth.match", {{"lamp", lamp(sample_.chosen)}}));
         add(Part::hint, screen_.layout.hint, said(sample_.contents.booth ? "hint.booth" : "hint.start"));
         add(Part::notice, screen_.layout.notice,
-            said("notice.refused", {{"error", "config/kiosk.ini:12: strength = -1 is below 0"}}));
+            said("notice.refused",
+                 {{"error", "museum-kiosk.ini:37: lamps = E, D65, A28…: NIST-LPZ: the library "
+                            "has no such lamp; did you mean \"NIST-LPS\"?"}}));
         return std::move(screen_);
     }
 
@@ -73,9 +75,9 @@ private:
         const Layout& layout = screen_.layout;
         const bool booth = sample_.contents.booth;
         add(Part::left_label, layout.left_label,
-            booth ? said("half.lamp", {{"lamp", lamp(sample_.chosen)}}) : said("half.numbers"));
+            booth ? said("booth.match", {{"lamp", lamp(sample_.chosen)}}) : said("half.numbers"));
         add(Part::right_label, layout.right_label,
-            booth ? said("half.lamp", {{"lamp", lamp(sample_.chosen + 3)}}) : said("half.wavelengths"));
+            booth ? said("booth.part", {{"lamp", lamp(sample_.chosen + 3)}}) : said("half.wavelengths"));
         add(Part::split, split_handle(layout, sample_.split), said("split.handle"));
     }
 
@@ -108,9 +110,9 @@ private:
         panel.title =
             said("panel.title",
                  {{"material", words_.name_of(sample_.language, "material", "crayon-carnation-pink")},
-                  {"lamp", lamp(sample_.chosen)}});
-        panel.lamp_name = said("panel.lamp");
-        panel.material_name = said("panel.material");
+                  {"lamp", sample_.glass ? said("panel.all_lamps") : lamp(sample_.chosen)}});
+        panel.lamp_name = said(sample_.glass ? "panel.lamps" : "panel.lamp");
+        panel.material_name = said(sample_.glass ? "panel.medium" : "panel.material");
         panel.product_name = said("panel.product");
         panel.lamp = sample_bars(sample_.chosen);
         panel.material = sample_bars(1);
@@ -132,12 +134,31 @@ private:
         const auto number = [&](double value, int decimals) {
             return words_.number(sample_.language, value, decimals);
         };
-        return {{{said("expert.method"), said("method." + sample_.method)},
-                 {said("expert.space"), "sRGB-D65"},
-                 {said("expert.wavelengths"), "64"},
-                 {said("expert.tolerance"), said("difference.number", {{"number", number(0.5, 1)}})},
-                 {said("expert.reason"), "one color per lamp and material, summed before the frame: exact"},
-                 {said("expert.frame"), said("expert.milliseconds", {{"ms", number(6.4, 1)}})}}};
+        return {{{said("expert.method"), said("method.packed") + " | " + said("method." + sample_.method)},
+                 {said("expert.space"), "sRGB-D65 | Adobe-D65"},
+                 {said("expert.wavelengths"), "64 | 471"},
+                 {said("expert.tolerance"), said("difference.number", {{"number", number(0.5, 2)}})},
+                 {said("expert.reason"), reason()},
+                 {said("expert.frame"), said("expert.milliseconds", {{"ms", number(16.4, 1)}})}}};
+    }
+
+    /// As long as they get: with what was not good enough.
+    std::string reason() const {
+        const auto error = [&](double value) {
+            return said("difference.number", {{"number", words_.number(sample_.language, value, 2)}});
+        };
+        const std::string behind =
+            said("reason.behind", {{"material", "rgb:FFFFFF"},
+                                   {"medium", words_.name_of(sample_.language, "material", "glass-cobalt")},
+                                   {"thickness", words_.number(sample_.language, 2.5, 1)}});
+        const std::string pixel = said("panel.title", {{"material", behind}, {"lamp", lamp(sample_.chosen)}});
+        const std::string ground =
+            said("reason." + sample_.ground, {{"error", error(0.12)}, {"count", "16"}, {"pixel", pixel}});
+        if (sample_.ground == "asked" || sample_.ground == "constant") // nothing cheaper was tried
+            return ground;
+        return said(
+            "reason.cheaper",
+            {{"reason", ground}, {"error", error(12.34)}, {"method", said("reason.few", {{"count", "12"}})}});
     }
 
     const Words& words_;

@@ -14,9 +14,11 @@ struct Sample {
     std::string language = "en";
     Contents contents; ///< languages and right_to_left are filled in
     double split = 0.5;
-    int chosen = 4;                ///< the chosen lamp
-    std::string method = "folded"; ///< that the expert's panel tells of
+    int chosen = 4;                  ///< the chosen lamp
+    std::string method = "folded";   ///< of the right half, that the expert's panel tells of
+    std::string ground = "constant"; ///< that it gives for it: the words `reason.GROUND`
     std::string difference = "difference.other";
+    bool glass = false; ///< the panel is of glass under several lamps
 };
 
 /// The shelf's lamps, in the order that samples take them.

@@ -3,7 +3,7 @@
 
 #include "exhibit/load.h"
 #include "overlay/layout.h"
-#include "overlay/painter.h"
+#include "overlay/pixels.h"
 #include "overlay/words.h"
 
 namespace metamer {
