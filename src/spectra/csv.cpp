@@ -107,6 +107,7 @@ std::vector<std::string> take_names(std::vector<CsvRow>& rows, const std::string
     }
     std::vector<std::string> names(first.cells.begin() + 1, first.cells.end());
     for (std::size_t i = 0; i < names.size(); ++i) {
+        names[i] = std::string(trimmed(names[i])); // quoted blanks: `path#NAME` could not ask for them
         if (names[i].empty())
             refuse_line(place, first.line, "column " + std::to_string(i + 2) + " has no name");
         for (std::size_t j = 0; j < i; ++j)

@@ -23,7 +23,7 @@ enum class SpectrumKind { emission, reflectance, component };
 
 /// Reads CSV text: comment lines start with `#`; a header `wavelength_nm,NAME,...` (optional for two columns,
 /// which then take the file's name); then rows, wavelengths ascending strictly, at any step. Names may stand
-/// in double quotes.
+/// in double quotes; blanks at their ends go.
 ///
 /// Units: the header's first cell names the wavelength's: nm, or um and angstrom, which are converted (no
 /// unit is nm). Refused by name: wavenumbers and frequencies; a `# unit:` of micrometers or angstroms under a

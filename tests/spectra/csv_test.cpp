@@ -69,6 +69,13 @@ TEST(Csv, TakesQuotedNames) {
                 ElementsAre("a, \"b\"", "c"));
 }
 
+// Found by scripts/fuzz: `f.csv# a ` could not ask for a column whose name began with a blank.
+TEST(Csv, TakesBlanksOffQuotedNames) {
+    EXPECT_THAT(lamp("nm,\" a \",b\n400,1,2\n500,3,4\n").names, ElementsAre("a", "b"));
+    EXPECT_EQ(refusal("nm,\" \"\n400,1\n500,3\n"), "cannot read f.csv:1: column 2 has no name");
+    EXPECT_EQ(refusal("nm,\"a \",a\n400,1,2\n500,3,4\n"), "cannot read f.csv:1: two columns are named `a`");
+}
+
 TEST(Csv, NamesTwoColumnsWithoutHeaderByTheFile) {
     const SpectrumTable table = parse_spectra("400,1\n410,2\n", "some/my lamp.csv", SpectrumKind::emission);
     EXPECT_THAT(table.names, ElementsAre("my lamp"));
