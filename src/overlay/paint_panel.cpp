@@ -35,7 +35,7 @@ void paint_sign(const Brush& brush, const Rect& at, bool times) {
 void paint_plots(Brush& brush, const ProductPanel& product, Rect rest) {
     const double u = brush.unit(), sign = 5 * u;
     const double width = (rest.w - 2 * sign) / 3;
-    const double name = std::clamp(0.24 * rest.h, 4.8 * u, 6.6 * u);
+    const double name = std::clamp(0.24 * rest.h, 5.2 * u, 6.6 * u);
     const std::array<std::pair<const std::string*, const Bars*>, 3> plots{
         {{&product.lamp_name, &product.lamp},
          {&product.material_name, &product.material},
