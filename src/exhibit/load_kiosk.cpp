@@ -23,8 +23,9 @@ std::optional<int> minute_of_day(std::string_view text) {
 
 NightHours night_hours(const Setting& setting) {
     const std::vector<std::string> ends = split(setting.value, '-');
-    const auto from = minute_of_day(trimmed(ends[0]));
-    const auto to = ends.size() == 2 ? minute_of_day(trimmed(ends[1])) : std::nullopt;
+    const bool two = ends.size() == 2;
+    const auto from = two ? minute_of_day(ends[0]) : std::nullopt,
+               to = two ? minute_of_day(ends[1]) : std::nullopt;
     if (!from || !to)
         throw refused(setting, "is not " + range_text(*setting.info));
     if (*from == *to)

@@ -135,7 +135,8 @@ TEST(KioskSettings, AreRefusedWithTheirPlace) {
               "cannot read k.ini:2: idle_s = 1 is below 5; it may be 5 .. 3600 s");
     EXPECT_EQ(refusal("[kiosk]\nlanguage = ../en\n"),
               "cannot read k.ini:2: language = ../en names no language: letters and -, as in pt-BR");
-    for (const char* hours : {"22", "22:00", "24:00-06:00", "22:60-06:00", "1:0-2:0", "22:00-06:00-07:00"})
+    for (const char* hours :
+         {"", "22", "22:00", "24:00-06:00", "22:60-06:00", "1:0-2:0", "22:00-06:00-07:00"})
         EXPECT_EQ(refusal(std::string("[kiosk]\nnight = ") + hours + "\n"),
                   std::string("cannot read k.ini:2: night = ") + hours +
                       " is not from-to, as in 22:00-07:00");
