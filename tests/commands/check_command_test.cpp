@@ -59,6 +59,13 @@ TEST_F(Check, ALanguageThatLacksAWord) {
 }
 
 // What metamer run would refuse.
+TEST_F(Check, ALampThatNoEyeAdaptsTo) {
+    write("kiosk.ini",
+          "[display]\nadaptation = bradford\n" + read("one.ini") + "[kiosk]\nlamps = E, NIST-LPS\n");
+    expect_failure_like(2, {"check", "kiosk.ini"},
+                        HasSubstr("lamps: NIST-LPS does not go with adaptation = bradford"));
+}
+
 TEST_F(Check, TheWordsOfAnExhibit) {
     write("kiosk.ini", read("one.ini") + "[kiosk]\nlanguage = xx\n");
     expect_failure(2, {"check", "kiosk.ini"},
