@@ -22,7 +22,8 @@ constexpr SceneKindInfo kKinds[] = {
     {SceneKind::corner, "corner", "a colored wall and a floor that light each other",
      "crayon-red, crayon-white", 2, 2, false, true},
     {SceneKind::booth, "booth", "a light booth: samples, and two cards that match under one lamp only",
-     "cc-orange, cc-yellow, cc-green, cc-cyan, cc-purplish-blue, cc-magenta", 1, kMostSamples},
+     "cc-orange, cc-yellow, cc-green, cc-cyan, cc-purplish-blue, cc-magenta", 1, kMostSamples, false, false,
+     true},
 };
 
 std::vector<ObjectDefault> pieces(const std::string& word, std::span<const std::string> materials,

@@ -20,8 +20,9 @@ struct SceneKindInfo {
     std::string_view
         materials; ///< [scene] materials by default: a set, or names with commas between; may be empty
     int fewest = 1, most = kAtlasRows; ///< how many materials it takes
-    bool flat = false;     ///< shading is 1 everywhere: a lamp's place, falloff and shadow have no effect
-    bool parallel = false; ///< its lamps have directions, no positions: planes are lit evenly
+    bool flat = false;      ///< shading is 1 everywhere: a lamp's place, falloff and shadow have no effect
+    bool parallel = false;  ///< its lamps have directions, no positions: planes are lit evenly
+    bool each_half = false; ///< a comparison shows all of it on either side of the split, not a part
 };
 
 std::span<const SceneKindInfo> scene_kinds();

@@ -78,11 +78,12 @@ void DeskBuilder::add_halves() {
     const std::size_t last = facts_.plan->halves.size() - 1;
     const std::string left = booth ? card(0, state_.booth_left) : name(0);
     const std::string right = booth ? card(last, state_.booth_right) : name(last);
-    if (facts_.plan->halves.size() > 1 && (booth || state_.split > 0))
+    const bool beside = halves_side_by_side(*facts_.exhibit);
+    if (facts_.plan->halves.size() > 1 && (beside || state_.split > 0))
         add(Part::left_label, desk_.layout.left_label, left).touchable = false;
-    if (booth || state_.split < 1)
+    if (beside || state_.split < 1)
         add(Part::right_label, desk_.layout.right_label, right).touchable = false;
-    if (!booth && facts_.plan->halves.size() > 1)
+    if (!beside && facts_.plan->halves.size() > 1)
         add(Part::split, split_handle(desk_.layout, state_.split), say("split.handle")).value = state_.split;
 }
 

@@ -20,7 +20,7 @@ int scale_for(PxSize side, int asked) {
 
 } // namespace
 
-Play::Play(Exhibit exhibit, bool side_by_side) : exhibit_(std::move(exhibit)), side_by_side_(side_by_side) {}
+Play::Play(Exhibit exhibit) : exhibit_(std::move(exhibit)) {}
 
 void Play::change(const std::function<void(Exhibit&)>& edit) {
     edit(exhibit_);
@@ -28,7 +28,7 @@ void Play::change(const std::function<void(Exhibit&)>& edit) {
 }
 
 PxSize Play::side_size(PxSize scene) const {
-    return {side_by_side_ ? (scene.width_px + 1) / 2 : scene.width_px, scene.height_px};
+    return {side_by_side() ? (scene.width_px + 1) / 2 : scene.width_px, scene.height_px};
 }
 
 void Play::draw(PxSize scene) {
@@ -79,7 +79,7 @@ void Play::lay(Compositor& compositor, const PxBox& box, double split, const Pat
         const double from = i == 0 ? 0 : at, to = i == 0 ? at : 1;
         (sides_[i] ? sides_[i] : sides_[0])->bind_texture(kPictureUnit);
         const Patch shown =
-            side_by_side_ ? patch(0, static_cast<double>(part.width) / drawn_.width_px) : patch(from, to);
+            side_by_side() ? patch(0, static_cast<double>(part.width) / drawn_.width_px) : patch(from, to);
         if (share >= 1) {
             compositor.lay(part, shown);
             continue;

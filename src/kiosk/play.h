@@ -8,6 +8,7 @@
 #include "gles/framebuffer.h"
 #include "kiosk/compositor.h"
 #include "render/frame_renderer.h"
+#include "visit/visit_state.h"
 #include "window/rotation.h"
 
 namespace metamer {
@@ -15,9 +16,7 @@ namespace metamer {
 /// Its GL objects come with the first draw.
 class Play {
 public:
-    /// `side_by_side`: each side shows the whole scene in half of the width, as a booth does; else both fill
-    /// it, and a split parts them.
-    Play(Exhibit exhibit, bool side_by_side);
+    explicit Play(Exhibit exhibit);
 
     /// Changes the exhibit's lamps, strengths, materials, methods; not its objects' number or scene. What
     /// follows is planned and drawn with the next draw().
@@ -37,7 +36,9 @@ public:
     /// How long the last draw() took on the GPU and to submit, without planning, ms.
     double frame_ms() const { return frame_ms_; }
     const Exhibit& exhibit() const { return exhibit_; }
-    bool side_by_side() const { return side_by_side_; }
+    /// Whether each side shows the whole scene in half of the width; else both fill it, and a split parts
+    /// them.
+    bool side_by_side() const { return halves_side_by_side(exhibit_); }
     /// After the first draw().
     const FrameRenderer& renderer() const { return *renderer_; }
 
@@ -47,7 +48,6 @@ private:
     Patch patch(double from, double to) const;
 
     Exhibit exhibit_;
-    bool side_by_side_;
     std::optional<FrameRenderer> renderer_;
     std::array<std::optional<Framebuffer>, 2> sides_;
     PxSize drawn_; ///< of one side; 0: nothing yet

@@ -50,18 +50,18 @@ Cue cue_of(const Visit& visit) {
 }
 
 Show::Show(const Exhibit& exhibit)
-    : exhibit_(exhibit), ground_(of_one_color(kBackdrop)), line_(of_one_color(kLine)), own_(exhibit, false) {}
+    : exhibit_(exhibit), ground_(of_one_color(kBackdrop)), line_(of_one_color(kLine)), own_(exhibit) {}
 
 Play& Show::play_for(const Cue& cue) {
     if (cue.mode == Mode::booth) {
         if (!booth_)
-            booth_.emplace(booth_at_one(cue), true);
+            booth_.emplace(booth_at_one(cue));
         return *booth_;
     }
     if (!cue.scene)
         return own_;
     if (toured_ != cue.scene) {
-        tour_.emplace(*cue.scene, false);
+        tour_.emplace(*cue.scene);
         toured_ = cue.scene;
     }
     return *tour_;

@@ -94,7 +94,6 @@ Scene build_booth(const Exhibit& exhibit) {
                     .target = {0, 0.7f + more, 0},
                     .field_of_view_deg = 26,
                     .half_size = {1.6f, 1.2f + more}};
-    scene.each_half = true;
     scene.center = {0, 0.6f, -0.2f};
     scene.radius = 2.2f;
     // From above and before, as the tubes of a booth; the second fills the shadows of the first.

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "exhibit/scene_kinds.h"
 #include "gles/check.h"
 #include "gles/precision_probe.h"
 #include "render/tables.h"
@@ -159,17 +160,17 @@ void FrameRenderer::end() const {
 void FrameRenderer::draw(int width_px, int height_px, int scale) {
     const View view = begin(width_px, height_px);
     const int split = exhibit_.compare ? split_column(*exhibit_.compare, width_px / scale) * scale : width_px;
+    const bool each_half = scene_kind(exhibit_.scene).each_half;
     glEnable(GL_SCISSOR_TEST);
     for (std::size_t i = 0; i < halves_.size(); ++i) {
         const int left = i == 0 ? 0 : split, right = i == 0 ? split : width_px;
         if (left == right)
             continue;
         glScissor(left, 0, right - left, height_px);
-        if (scene_.each_half)
+        if (each_half)
             glViewport(left, 0, right - left, height_px);
-        draw_half(halves_[i], scene_.each_half
-                                  ? view_of(scene_.camera, static_cast<double>(right - left) / height_px)
-                                  : view);
+        draw_half(halves_[i],
+                  each_half ? view_of(scene_.camera, static_cast<double>(right - left) / height_px) : view);
     }
     draw_split_line(split, height_px, scale);
     end();

@@ -14,7 +14,7 @@ struct Hit {
 
 /// The nearest front face under a point of the frame, by the ray through it (Moeller and Trumbore 1997).
 /// `x`, `y`: 0 .. 1 from the frame's upper left corner; `aspect`: width / height. Of a scene that either half
-/// shows all of (Scene::each_half) the half is the frame. None where nothing is.
+/// shows all of (SceneKindInfo::each_half) the half is the frame. None where nothing is.
 std::optional<Hit> pick(const Scene& scene, const Exhibit& exhibit, double x, double y, double aspect);
 
 /// The key of the material there: the object's own, or what its key map says.

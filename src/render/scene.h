@@ -27,7 +27,6 @@ struct Camera {
 struct Scene {
     std::vector<SceneObject> objects;
     Camera camera;
-    bool each_half = false; ///< a comparison shows all of it on either side of the split, not a part
     bool lit = true;        ///< false: I_shading = 1 everywhere
     glm::vec3 center{0};    ///< of a sphere around everything that casts shadows
     float radius = 1;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exhibit/scene_kinds.h"
+
 namespace metamer {
 
 namespace {
@@ -35,6 +37,10 @@ double split_share(const Exhibit& exhibit) {
     if (!exhibit.compare->split_px)
         return exhibit.compare->split;
     return std::min(static_cast<double>(*exhibit.compare->split_px) / exhibit.display.width_px, 1.0);
+}
+
+bool halves_side_by_side(const Exhibit& exhibit) {
+    return exhibit.compare && scene_kind(exhibit.scene).each_half;
 }
 
 double slider_of_strength(double strength) {

@@ -44,6 +44,9 @@ VisitState start_state(const Exhibit& exhibit);
 /// Where the right half begins, 0 .. 1; 0 where the exhibit compares nothing.
 double split_share(const Exhibit& exhibit);
 
+/// Whether each half shows all of the scene in half of the width, as a light booth does: there is no split.
+bool halves_side_by_side(const Exhibit& exhibit);
+
 /// The slider's place 0 .. 1 of a strength and back; logarithmic, 1 in the middle.
 double slider_of_strength(double strength);
 double strength_of_slider(double slider);

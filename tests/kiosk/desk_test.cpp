@@ -63,6 +63,30 @@ TEST(Desk, HasWordsForEverything) {
     }
 }
 
+// Where each half has a lamp of its own, a shelf would choose for nobody.
+TEST(Desk, HasNoShelfForHalvesWithLampsOfTheirOwn) {
+    const auto text = [](const char* lamps) {
+        return replaced(patches(), "left.method = tristimulus\n",
+                        std::string("left.method = auto\n") + lamps);
+    };
+    TestDesk one(text("left.lamp = D65\n")), both(text("left.lamp = D65\nright.lamp = F11\n"));
+    one.lay();
+    both.lay();
+    EXPECT_NE(one.desk.find(Part::lamp, 2), nullptr);
+    EXPECT_EQ(both.desk.find(Part::lamp, 0), nullptr);
+    EXPECT_EQ(both.desk.find(Part::mode), nullptr) << "nor lamps to compare";
+    EXPECT_NE(both.desk.find(Part::strength), nullptr);
+}
+
+TEST(Desk, HasNoSplitWhereEachHalfShowsAll) {
+    TestDesk at("[atlas]\nquantization = thesis\n[scene]\nkind = booth\nmaterials = cc-orange\n"
+                "[compare]\nsplit = 0\nleft.lamp = D65\nright.lamp = F11\n[kiosk]\nlamps = E, D65\n");
+    at.lay();
+    EXPECT_EQ(at.desk.find(Part::split), nullptr);
+    EXPECT_NE(at.desk.find(Part::left_label), nullptr);
+    EXPECT_NE(at.desk.find(Part::right_label), nullptr);
+}
+
 TEST(Desk, HasWordsForTheTour) {
     for (const Language& language : all_words().languages()) {
         TestDesk at(patches("language = " + language.code + "\n" + kTour));
