@@ -120,9 +120,10 @@ void DeskBuilder::add_panels() {
     const bool visitor = facts_.visit->phase() == Phase::visitor;
     add(Part::caption, desk_.layout.caption, caption).touchable = false;
     add(Part::hint, desk_.layout.hint,
-        say(!visitor ? "hint.start"
-            : booth  ? "hint.booth"
-                     : "hint.methods"))
+        say(!visitor                                            ? "hint.start"
+            : booth                                             ? "hint.booth"
+            : desk_.find(Part::lamp) && desk_.find(Part::split) ? "hint.methods"
+                                                                : "hint.objects"))
         .touchable = false;
     if (state_.expert) {
         const ExpertPanel expert = expert_panel(facts_);

@@ -76,6 +76,8 @@ TEST(Desk, HasNoShelfForHalvesWithLampsOfTheirOwn) {
     EXPECT_EQ(both.desk.find(Part::lamp, 0), nullptr);
     EXPECT_EQ(both.desk.find(Part::mode), nullptr) << "nor lamps to compare";
     EXPECT_NE(both.desk.find(Part::strength), nullptr);
+    EXPECT_EQ(one.desk.find(Part::hint)->text, one.words.text("en", "hint.methods"));
+    EXPECT_EQ(both.desk.find(Part::hint)->text, "Tap an object") << "nor is a lamp to pick";
 }
 
 TEST(Desk, HasNoSplitWhereEachHalfShowsAll) {
