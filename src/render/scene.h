@@ -27,8 +27,8 @@ struct Camera {
 struct Scene {
     std::vector<SceneObject> objects;
     Camera camera;
-    bool lit = true;        ///< false: I_shading = 1 everywhere
-    glm::vec3 center{0};    ///< of a sphere around everything that casts shadows
+    bool lit = true;     ///< false: I_shading = 1 everywhere
+    glm::vec3 center{0}; ///< of a sphere around everything that casts shadows
     float radius = 1;
     std::vector<glm::vec3>
         lamp_directions; ///< towards lamp 1, 2, ... where the INI says nothing; kMostLamps of them

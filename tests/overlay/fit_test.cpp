@@ -151,7 +151,8 @@ TEST_P(Fit, EveryDifferenceMethodAndHintInItsPlace) {
                 expect_fits(sample, Part::expert_panel);
             }
         sample.contents = {12, 6, false, false, false, true, true, false, false};
-        for (const char* key : {"hint.start", "hint.methods", "hint.objects", "hint.booth", "booth.match", "booth.part"}) {
+        for (const char* key :
+             {"hint.start", "hint.methods", "hint.objects", "hint.booth", "booth.match", "booth.part"}) {
             SampleScreen whole = sample_screen(words_, sample);
             for (Widget& widget : whole.widgets)
                 if (widget.part == Part::hint || widget.part == Part::caption) {
