@@ -67,7 +67,7 @@ TEST_F(Touch, MakesTheLampBrighter) {
     const double strength =
         kiosk_->await("less light", [](const Json& now) { return now.at("strength") == 0.05; })
             .at("strength");
-    EXPECT_EQ(text("strength"), words_.text("en", "slider.strength", {{"factor", "0.1"}}));
+    EXPECT_EQ(text("strength"), words_.text("en", "slider.strength", {{"factor", "0.05"}}));
     EXPECT_EQ(wrong_colors({"lamp.1.strength=" + std::to_string(strength)}), "");
 }
 

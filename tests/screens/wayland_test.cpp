@@ -92,7 +92,8 @@ TEST_F(Wayland, ShowsWhatChangedWhileItWaited) {
     kiosk_.emplace(folder_, std::vector<std::string>{"--wait", "exhibit.ini"}, environment());
     kiosk_->await_log("event=no_display");
     std::string text = std::string("[display]\nrotation = 90\n") + test::kPatches;
-    text.replace(text.find("lamps = D65"), 11, "lamps = A2800");
+    const std::string written = "lamps = D65, F11, A2800";
+    text.replace(text.find(written), written.size(), "lamps = A2800, F11, D65");
     write_exhibit(text);
     start_weston();
     const Json told = kiosk_->await("another first lamp, upright", [](const Json& now) {
