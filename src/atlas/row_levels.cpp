@@ -47,12 +47,12 @@ LampLevels lamp_levels(const LampPower& power) {
 
 MaterialLevels material_levels(const MaterialSpectrum& material, std::span<const PriorLamp> own) {
     constexpr int scales = 16;
-    constexpr double headroom = 0.1;
+    constexpr double headroom = 0.1, black = 1e-35; // at whose scale levels would be no numbers
     const RowFit fit = fit_material(material, own);
     const double greatest = *std::max_element(fit.best.begin(), fit.best.end());
     MaterialLevels best{{}, 1};
-    if (!(greatest > 0))
-        return best; // nothing but black
+    if (!(greatest > black))
+        return best;
     const LevelSearch search(fit.form);
     double least = 0;
     for (int n = 0; n < scales; ++n) {

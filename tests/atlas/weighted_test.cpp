@@ -91,6 +91,16 @@ TEST(Weighted, MaterialsAreAtFullScale) {
     EXPECT_EQ(atlas.materials[static_cast<std::size_t>(black)].scale, 1);
 }
 
+// Found by the fuzzer: 255 / 1e-306 is no number any more.
+TEST(MaterialLevels, OfNextToNothingAreBlack) {
+    std::array<double, kIntervals> nothing;
+    nothing.fill(1e-306);
+    const MaterialLevels levels = material_levels({curve_of(nothing)});
+    EXPECT_EQ(levels.scale, 1);
+    for (const std::uint8_t level : levels.level)
+        EXPECT_EQ(level, 0);
+}
+
 TEST(Weighted, TheScaleHasHeadroomForTheDark) {
     const auto valley = [](std::size_t i) { return i < 32 ? 0.8 : 0.01; };
     const MaterialLevels levels = material_levels({curve_on_grid(valley)});
