@@ -57,8 +57,8 @@ LampSetting Rows::lamp(const Setting& setting, const std::string& text) {
         LampSetting found;
         found.lamp = find_lamp(text, setting.folder.string(), &doubts);
         found.key = add_lamp(atlas_, found.lamp);
-        if (!file_)
-            lit_by_.emplace(found.key, found.lamp);
+        if (!file_ && found.key > static_cast<int>(lit_by_.size())) // keys run from 1
+            lit_by_.push_back(found.lamp);
         warn(setting, doubts);
         return found;
     });
@@ -72,10 +72,7 @@ MaterialSetting Rows::material(const Setting& setting, const std::string& text) 
         std::vector<std::string> doubts;
         MaterialSetting found;
         found.material = find_material(text, setting.folder.string(), &doubts);
-        std::vector<Lamp> lamps;
-        for (const auto& [key, lamp] : lit_by_)
-            lamps.push_back(lamp);
-        found.key = add_material(atlas_, found.material, lamps);
+        found.key = add_material(atlas_, found.material, lit_by_);
         full_materials_.emplace(found.key, found.material);
         warn(setting, doubts);
         return found;

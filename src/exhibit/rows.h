@@ -46,7 +46,8 @@ private:
     std::optional<Atlas> file_;
     std::string file_place_;
     std::map<int, Material> full_materials_;
-    std::map<int, Lamp> lit_by_; ///< by key; none with an atlas file, whose rows know no lamps
+    std::vector<Lamp>
+        lit_by_; ///< in the order of their keys; none with an atlas file, whose rows know no lamps
     std::vector<std::string>* warnings_;
 };
 
