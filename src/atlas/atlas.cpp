@@ -8,8 +8,8 @@
 #include "base/error.h"
 #include "base/names.h"
 #include "base/numbers.h"
+#include "base/utf8.h"
 #include "color/resample.h"
-#include "image/utf8.h"
 
 namespace metamer {
 

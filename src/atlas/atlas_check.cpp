@@ -5,7 +5,7 @@
 
 #include "base/names.h"
 #include "base/numbers.h"
-#include "image/utf8.h"
+#include "base/utf8.h"
 
 namespace metamer {
 

@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
-#include "image/utf8.h"
+#include "base/utf8.h"
 
 namespace metamer {
 

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/names.h"
-#include "image/utf8.h"
+#include "base/utf8.h"
 
 namespace metamer {
 

@@ -5,8 +5,8 @@
 #include <new>
 
 #include "base/error.h"
+#include "base/utf8.h"
 #include "image/png_guard.h"
-#include "image/utf8.h"
 
 namespace metamer {
 

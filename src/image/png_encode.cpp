@@ -6,8 +6,8 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "base/utf8.h"
 #include "image/png_guard.h"
-#include "image/utf8.h"
 
 namespace metamer {
 

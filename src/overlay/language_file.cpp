@@ -7,8 +7,8 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/names.h"
+#include "base/utf8.h"
 #include "exhibit/ini.h"
-#include "image/utf8.h"
 
 namespace metamer {
 

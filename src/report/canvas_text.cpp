@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/names.h"
-#include "image/utf8.h"
+#include "base/utf8.h"
 
 namespace metamer {
 

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "image/utf8.h"
+#include "base/utf8.h"
 #include "report/geometry.h"
 #include "report/number_text.h"
 

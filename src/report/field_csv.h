@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "base/names.h"
-#include "image/utf8.h"
+#include "base/utf8.h"
 #include "report/fields.h"
 #include "spectra/csv_text.h"
 

@@ -8,7 +8,7 @@
 #include <unistd.h>
 #include <utility>
 
-#include "image/utf8.h"
+#include "base/utf8.h"
 
 namespace metamer {
 

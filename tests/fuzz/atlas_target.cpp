@@ -4,11 +4,11 @@
 #include "atlas/atlas_file.h"
 #include "atlas/atlas_picture.h"
 #include "atlas/atlas_table.h"
+#include "base/utf8.h"
 #include "color/colorimetry.h"
 #include "color/resample.h"
 #include "fuzz/must.h"
 #include "image/png.h"
-#include "image/utf8.h"
 #include "methods/pixel.h"
 
 namespace metamer::fuzz {

@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "base/names.h"
+#include "base/utf8.h"
 #include "fuzz/must.h"
-#include "image/utf8.h"
 #include "overlay/language_file.h"
 
 namespace metamer::fuzz {

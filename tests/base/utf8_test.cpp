@@ -1,4 +1,4 @@
-#include "image/utf8.h"
+#include "base/utf8.h"
 
 #include <gtest/gtest.h>
 
@@ -47,6 +47,20 @@ TEST(Utf8, QuotesWithoutControlsAndCutAtACodePoint) {
     EXPECT_EQ(quotable(std::string(40, 'x')), std::string(40, 'x'));
     EXPECT_EQ(quotable(std::string(41, 'x')), std::string(40, 'x') + "...");
     EXPECT_EQ(quotable(std::string(39, 'x') + "\xC3\xA9"), std::string(39, 'x') + "...");
+}
+
+TEST(WithoutControl, LeavesAllElseAsItIs) {
+    EXPECT_EQ(without_control("a\tb\x1b[2J\x7f"), "a?b?[2J?");
+    EXPECT_EQ(without_control("\xC2\x9B"
+                              "31m"),
+              "?31m")
+        << "C1 has a CSI of its own";
+    EXPECT_EQ(without_control("\xC2\xA0 \xC3\xBC"), "\xC2\xA0 \xC3\xBC");
+    EXPECT_EQ(without_control("\xC2"
+                              "A\xFF\xC2"),
+              "\xC2"
+              "A\xFF\xC2")
+        << "nor what is no UTF-8";
 }
 
 } // namespace

@@ -15,6 +15,9 @@ bool is_utf8(std::string_view text);
 /// category Cc). A name without one fits in a line, and cannot steer a terminal.
 bool has_control(std::string_view utf8);
 
+/// Any bytes with each control character as one `?`; all else stays, well-formed or not.
+std::string without_control(std::string_view text);
+
 /// ISO 8859-1, the encoding of tEXt and zTXt chunks (PNG 1.2 section 4.2.3), as UTF-8.
 std::string utf8_from_latin1(std::string_view latin1);
 

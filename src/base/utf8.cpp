@@ -1,4 +1,4 @@
-#include "image/utf8.h"
+#include "base/utf8.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -57,7 +57,7 @@ std::size_t control_length(std::string_view utf8) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(utf8[i]); };
     if (byte(0) < 0x20 || byte(0) == 0x7F)
         return 1;
-    return byte(0) == 0xC2 && utf8.size() > 1 && byte(1) <= 0x9F ? 2 : 0;
+    return byte(0) == 0xC2 && utf8.size() > 1 && byte(1) >= 0x80 && byte(1) <= 0x9F ? 2 : 0;
 }
 
 } // namespace
@@ -77,6 +77,16 @@ bool has_control(std::string_view utf8) {
         if (control_length(utf8.substr(i)) > 0)
             return true;
     return false;
+}
+
+std::string without_control(std::string_view text) {
+    std::string out;
+    while (!text.empty()) {
+        const std::size_t length = control_length(text);
+        out += length > 0 ? '?' : text[0];
+        text.remove_prefix(std::max<std::size_t>(1, length));
+    }
+    return out;
 }
 
 std::string utf8_from_latin1(std::string_view latin1) {
