@@ -13,6 +13,7 @@
 #include "service/descriptor.h"
 #include "spectra/csv.h"
 #include "spectra/library.h"
+#include "spectra/spectrum_file.h"
 
 namespace metamer::fuzz {
 
@@ -116,10 +117,10 @@ void use_material(const std::string& name) {
     must_be_within(color.y, 0, 1 + 1e-9, "Y under an even light");
 }
 
-/// Names that `path#NAME` can say whatever the path: a `#` asks for an ending of tables, which this one
-/// lacks.
+/// Names that `path#NAME` can say for a path without an ending of tables, as this one is: neither a `#` nor
+/// such an ending, which would make all of it a path.
 bool can_be_asked_for(const std::string& name) {
-    return name.find('#') == std::string::npos;
+    return name.find('#') == std::string::npos && !names_file("any#" + name);
 }
 
 } // namespace
