@@ -158,10 +158,8 @@ TEST(Picture, WordsStayInTheirBoxes) {
     EXPECT_GT(inside, panel.width * panel.height / 2);
 }
 
-TEST(Picture, TheBoothShowsEachLampsCards) {
-    TestKiosk at(patches(), {800, 480});
-    at.tap(Part::mode);
-    at.settle();
+// Cards that match under daylight and part under a tube, whole in either half, and tapped what they are.
+void expect_cards(TestKiosk& at) {
     const Play& play = at.kiosk.show().play();
     ASSERT_TRUE(play.side_by_side());
     const PxBox scene = at.kiosk.desk().layout.scene;
@@ -197,6 +195,22 @@ TEST(Picture, TheBoothShowsEachLampsCards) {
                     testing::HasSubstr(all_words().text("en", "booth.card_b")));
         at.tap(Part::close);
     }
+}
+
+TEST(Picture, TheBoothShowsEachLampsCards) {
+    TestKiosk at(patches(), {800, 480});
+    at.tap(Part::mode);
+    at.settle();
+    expect_cards(at);
+}
+
+TEST(Picture, AnExhibitOfABoothShowsThemToo) {
+    TestKiosk at(replaced(replaced(patches(), "kind = patches", "kind = booth"),
+                          "left.method = tristimulus\nright.method = folded",
+                          "left.method = auto\nleft.lamp = D65\nright.method = auto\nright.lamp = F11"),
+                 {800, 480});
+    at.settle();
+    expect_cards(at);
 }
 
 TEST(Picture, TapsOpenWhatIsSeen) {

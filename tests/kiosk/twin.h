@@ -2,29 +2,11 @@
 #pragma once
 
 #include "kiosk/kiosks.h"
-#include "plan/planner.h"
+#include "plan/color_twin.h"
 
 namespace metamer {
 
-/// Of an exhibit as it is drawn; it must live as long.
-class Twin {
-public:
-    explicit Twin(const Exhibit& drawn)
-        : exhibit_(drawn), spectra_(drawn), plan_(plan_exhibit(drawn, spectra_)) {}
-
-    EncodedRgb8 color(std::size_t object, std::size_t half) const {
-        const HalfPlan& plan = plan_.halves[std::min(half, plan_.halves.size() - 1)];
-        const ObjectSetting& setting = exhibit_.objects[object];
-        const Pixel pixel = pixel_of(exhibit_, plan.view, spectra_, setting, setting.material);
-        const ObjectPlan& planned = plan.objects[object];
-        return shade_rgb8<float>(planned.method, pixel, sight_of(plan.view, spectra_, &planned.taps));
-    }
-
-private:
-    const Exhibit& exhibit_;
-    ExhibitSpectra spectra_;
-    Plan plan_;
-};
+using Twin = ColorTwin;
 
 /// The exhibit of a text with a state's lamp and strength.
 inline Exhibit lit(const std::string& text, const VisitState& state) {

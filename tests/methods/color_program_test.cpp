@@ -3,8 +3,7 @@
 #include <cmath>
 #include <gmock/gmock.h>
 
-#include "color/colorimetry.h"
-#include "color/observer.h"
+#include "methods/lamp_colors.h"
 #include "spectra/library.h"
 
 namespace metamer {
@@ -71,14 +70,7 @@ struct LampProgram {
 };
 
 std::vector<Triple> colors(const std::string& lamp_name) {
-    const ReferenceLamp lamp = reference_lamp(find_lamp(lamp_name).spectrum);
-    std::vector<Triple> out;
-    for (std::size_t i = 0; i < kReferenceGrid.count; ++i) {
-        const ColorMatching& c = cie_1931_2deg()[i];
-        const double light = lamp.power[i] / lamp.k;
-        out.push_back({light * c.x, light * c.y, light * c.z});
-    }
-    return out;
+    return lamp_colors(reference_lamp(find_lamp(lamp_name).spectrum));
 }
 
 LampProgram lamps(const std::string& matching, const std::string& parting, double gray,

@@ -8,7 +8,7 @@
 #include "color/difference.h"
 #include "color/observer.h"
 #include "color/resample.h"
-#include "methods/color_program.h"
+#include "methods/lamp_colors.h"
 #include "spectra/library.h"
 
 namespace metamer {
@@ -89,17 +89,8 @@ TEST(MetamericPairs, WhiteAndBlackHaveOneReflectanceEach) {
 
 // XYZ under `parting` of what goes furthest there in many directions at random, of a gray under `matching`.
 std::vector<Xyz> ends(const ReferenceLamp& matching, const ReferenceLamp& parting, double share) {
-    const auto colors = [](const ReferenceLamp& lamp) {
-        std::vector<Triple> out;
-        for (std::size_t i = 0; i < kReferenceGrid.count; ++i) {
-            const ColorMatching& c = cie_1931_2deg()[i];
-            const double light = lamp.power[i] / lamp.k;
-            out.push_back({light * c.x, light * c.y, light * c.z});
-        }
-        return out;
-    };
     const Xyz target = gray(matching, share);
-    const ColorProgram program{colors(matching), {target.x, target.y, target.z}};
+    const ColorProgram program{lamp_colors(matching), {target.x, target.y, target.z}};
     ColorExtremes extremes(program);
     std::mt19937 random(7);
     std::normal_distribution<double> normal;
@@ -107,7 +98,7 @@ std::vector<Xyz> ends(const ReferenceLamp& matching, const ReferenceLamp& partin
     for (int i = 0; i < 400; ++i) {
         const Triple direction{normal(random), normal(random), normal(random)};
         std::vector<double> weight;
-        for (const Triple& c : colors(parting))
+        for (const Triple& c : lamp_colors(parting))
             weight.push_back(dot(direction, c));
         out.push_back(reference_xyz(parting, extremes.greatest(weight)->reflectance));
     }

@@ -34,6 +34,20 @@ protected:
             }
     }
 
+    /// The first place on the shelf, once with every lamp's name, none chosen.
+    std::vector<Widget> lamp_tiles(const Layout& layout) const {
+        std::vector<Widget> tiles;
+        for (const auto& [key, name] : words_.language(GetParam()).words)
+            if (key.starts_with("lamp.")) {
+                Widget& tile = tiles.emplace_back();
+                tile.part = Part::lamp;
+                tile.box = layout.lamps[0];
+                tile.text = name;
+                tile.right_to_left = words_.language(GetParam()).right_to_left;
+            }
+        return tiles;
+    }
+
     Words words_;
 };
 
@@ -59,16 +73,9 @@ TEST_P(Fit, EveryLampOnItsTile) {
         contents.lamps = 12;
         contents.languages = 6;
         const Layout layout = lay_out(screen, contents);
-        for (const auto& [key, name] : words_.language(GetParam()).words) {
-            if (!key.starts_with("lamp."))
-                continue;
-            Widget tile;
-            tile.part = Part::lamp;
-            tile.box = layout.lamps[0];
-            tile.text = name;
+        for (Widget& tile : lamp_tiles(layout)) {
             tile.on = true;
-            tile.right_to_left = words_.language(GetParam()).right_to_left;
-            EXPECT_TRUE(text_fits(tile, layout.unit_px)) << key << " " << name << " " << screen.width_px;
+            EXPECT_TRUE(text_fits(tile, layout.unit_px)) << tile.text << " " << screen.width_px;
         }
     }
 }
@@ -114,20 +121,13 @@ TEST_P(Fit, ALampsNameStaysWhereItIsWhenItIsChosen) {
         contents.lamps = 8;
         contents.languages = 6;
         const Layout layout = lay_out(screen, contents);
-        for (const auto& [key, name] : words_.language(GetParam()).words) {
-            if (!key.starts_with("lamp."))
-                continue;
-            Widget tile;
-            tile.part = Part::lamp;
-            tile.box = layout.lamps[0];
-            tile.text = name;
-            tile.right_to_left = words_.language(GetParam()).right_to_left;
+        for (Widget& tile : lamp_tiles(layout)) {
             const auto plain = rows_of_name(tile, layout.unit_px);
             tile.on = true;
             const auto chosen = rows_of_name(tile, layout.unit_px);
             const double slack = 0.5 * layout.unit_px; // bold letters are a little higher
-            EXPECT_NEAR(plain.first, chosen.first, slack) << name << " " << screen.width_px;
-            EXPECT_NEAR(plain.second, chosen.second, slack) << name << " " << screen.width_px;
+            EXPECT_NEAR(plain.first, chosen.first, slack) << tile.text << " " << screen.width_px;
+            EXPECT_NEAR(plain.second, chosen.second, slack) << tile.text << " " << screen.width_px;
         }
     }
 }

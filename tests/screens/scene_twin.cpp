@@ -1,16 +1,13 @@
 #include "screens/scene_twin.h"
 
 #include "exhibit/load.h"
-#include "methods/shade.h"
-#include "plan/object_pixels.h"
 #include "render/pick.h"
 
 namespace metamer::test {
 
 SceneTwin::SceneTwin(const std::string& ini, const std::vector<std::string>& sets)
     : exhibit_(parse_exhibit(ini, "twin", ".", sets, nullptr, Use::kiosk)),
-      spectra_(exhibit_),
-      plan_(plan_exhibit(exhibit_, spectra_)),
+      twin_(exhibit_),
       scene_(build_scene(exhibit_)) {}
 
 std::optional<EncodedRgb8> SceneTwin::color(double x, double y, std::size_t half, double around) const {
@@ -23,11 +20,7 @@ std::optional<EncodedRgb8> SceneTwin::color(double x, double y, std::size_t half
         for (const double dy : {-around, around})
             if (!here || object(x + dx, y + dy) != here)
                 return std::nullopt;
-    const HalfPlan& plan = plan_.halves.at(half);
-    const ObjectSetting& setting = exhibit_.objects[*here];
-    const Pixel pixel = pixel_of(exhibit_, plan.view, spectra_, setting, setting.material);
-    const ObjectPlan& planned = plan.objects[*here];
-    return shade_rgb8<float>(planned.method, pixel, sight_of(plan.view, spectra_, &planned.taps));
+    return twin_.color(*here, half);
 }
 
 } // namespace metamer::test

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "color/xyz.h"
-#include "plan/planner.h"
+#include "plan/color_twin.h"
 #include "render/scene.h"
 
 namespace metamer::test {
@@ -23,8 +23,7 @@ public:
 
 private:
     Exhibit exhibit_;
-    ExhibitSpectra spectra_;
-    Plan plan_;
+    ColorTwin twin_;
     Scene scene_;
 };
 
