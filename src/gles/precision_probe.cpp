@@ -7,6 +7,7 @@
 #include "gles/framebuffer.h"
 #include "gles/mesh.h"
 #include "gles/program.h"
+#include "gles/shader_files.h"
 
 namespace metamer {
 
@@ -14,35 +15,10 @@ namespace {
 
 constexpr int kMostBits = 31;
 
-constexpr std::string_view kVertex = R"(attribute vec3 a_position;
-attribute vec2 a_uv;
-varying float v_zero;
-void main() {
-    v_zero = a_uv.x;
-    gl_Position = vec4(a_position, 1.0);
-}
-)";
-
-// v_zero is 0 at every vertex, which no compiler can know: arithmetic on uniforms alone may be done ahead of
-// the draw, by the CPU, at another precision. fract() does not let `one + e > one` be simplified to `e > 0`.
-constexpr std::string_view kFragment = R"(precision FLOAT float;
-varying float v_zero;
-uniform float u_one;
-uniform float u_e;
-void main() {
-    float sum = (u_one + v_zero) + u_e;
-    gl_FragColor = vec4(fract(sum) > 0.0 ? 1.0 : 0.0);
-}
-)";
-
 Program probe(Precision precision) {
-    const ShaderFiles files = [](std::string_view name) {
-        return name == "precision_probe.vert" ? kVertex : kFragment;
-    };
-    return {compose_shader("precision_probe.vert", {}, files),
-            compose_shader("precision_probe.frag",
-                           {{"FLOAT", precision == Precision::highp ? "highp" : "mediump"}}, files),
-            kMeshAttributes};
+    const ShaderVariant variant = precision_probe_variant(precision);
+    return {compose_shader(variant.vertex, variant.defines, shader_files()),
+            compose_shader(variant.fragment, variant.defines, shader_files()), kMeshAttributes};
 }
 
 /// One triangle over the whole viewport, all else 0.
@@ -57,6 +33,11 @@ MeshData cover() {
 }
 
 } // namespace
+
+ShaderVariant precision_probe_variant(Precision precision) {
+    const std::string name = precision == Precision::highp ? "highp" : "mediump";
+    return {"precision_probe-" + name, "precision_probe.vert", "precision_probe.frag", {{"FLOAT", name}}};
+}
 
 int measured_fragment_bits(Precision precision) {
     const Framebuffer results(kMostBits, 1);

@@ -1,6 +1,8 @@
 // How many bits fragment shaders really compute with.
 #pragma once
 
+#include "gles/shader_source.h"
+
 namespace metamer {
 
 enum class Precision { mediump, highp };
@@ -11,5 +13,8 @@ enum class Precision { mediump, highp };
 /// failure("compile", ...). Draws into a framebuffer of its own and leaves it deleted, with another program
 /// and viewport.
 int measured_fragment_bits(Precision precision);
+
+/// The program that it draws with.
+ShaderVariant precision_probe_variant(Precision precision);
 
 } // namespace metamer

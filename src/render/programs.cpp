@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "gles/draw_check.h"
 #include "gles/mesh_data.h"
+#include "gles/shader_files.h"
 
 namespace metamer {
 

@@ -7,12 +7,9 @@
 #include "atlas/atlas.h"
 #include "base/numbers.h"
 #include "exhibit/exhibit.h"
+#include "gles/precision_probe.h"
 #include "methods/light.h"
 #include "methods/shade.h"
-
-namespace metamer_shaders {
-std::string_view embedded(std::string_view name);
-}
 
 namespace metamer {
 
@@ -200,14 +197,12 @@ ShaderVariant picture_variant(bool fading) {
 }
 
 std::vector<ShaderVariant> shader_variants() {
-    std::vector<ShaderVariant> out{shadow_variant(), picture_variant(false), picture_variant(true)};
+    std::vector<ShaderVariant> out{shadow_variant(), picture_variant(false), picture_variant(true),
+                                   precision_probe_variant(Precision::mediump),
+                                   precision_probe_variant(Precision::highp)};
     for (const Variant& variant : all_variants())
         out.push_back(shader_variant(variant));
     return out;
-}
-
-ShaderFiles shader_files() {
-    return metamer_shaders::embedded;
 }
 
 } // namespace metamer

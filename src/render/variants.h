@@ -73,11 +73,8 @@ ShaderVariant shader_variant(const Variant& variant);
 /// shadows, and with as many as can be.
 std::vector<Variant> all_variants();
 
-/// The same as files and defines, the shadow pass and laid pictures with them.
+/// The same as files and defines, the shadow pass, laid pictures and the precision probe with them.
 std::vector<ShaderVariant> shader_variants();
-
-/// The files of shaders_es/, built into the program.
-ShaderFiles shader_files();
 
 /// The shadow pass.
 ShaderVariant shadow_variant();

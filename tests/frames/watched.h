@@ -9,6 +9,7 @@
 
 #include "gles/mesh_data.h"
 #include "gles/program.h"
+#include "gles/shader_files.h"
 #include "render/variants.h"
 
 namespace metamer {

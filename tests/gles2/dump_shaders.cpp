@@ -6,10 +6,11 @@
 #include <exception>
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 #include "base/files.h"
 #include "exhibit/exhibit.h"
-#include "gles/shader_source.h"
+#include "gles/shader_files.h"
 #include "render/variants.h"
 
 namespace {
@@ -20,6 +21,15 @@ bool is_end(const metamer::Variant& v) {
     const bool whole = !v.lit || (v.mirrors && v.smooth && (v.placed || bounce));
     const bool shadows = v.shadows == 0 || v.shadows == std::min(v.lamps, metamer::kMostShadows);
     return few && whole && shadows && v.output == metamer::OutputStage();
+}
+
+std::vector<metamer::ShaderVariant> end_variants() {
+    std::vector<metamer::ShaderVariant> out{metamer::shadow_variant(), metamer::picture_variant(false),
+                                            metamer::picture_variant(true)};
+    for (const metamer::Variant& variant : metamer::all_variants())
+        if (is_end(variant))
+            out.push_back(metamer::shader_variant(variant));
+    return out;
 }
 
 void write(const std::filesystem::path& folder, const metamer::ShaderVariant& variant) {
@@ -41,12 +51,8 @@ int main(int argc, char** argv) {
     try {
         const std::filesystem::path folder = argv[1];
         std::filesystem::create_directories(folder);
-        write(folder, metamer::shadow_variant());
-        for (const bool fading : {false, true})
-            write(folder, metamer::picture_variant(fading));
-        for (const metamer::Variant& variant : metamer::all_variants())
-            if (!ends || is_end(variant))
-                write(folder, metamer::shader_variant(variant));
+        for (const metamer::ShaderVariant& variant : ends ? end_variants() : metamer::shader_variants())
+            write(folder, variant);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "dump_shaders: %s\n", error.what());
         return 1;
