@@ -30,15 +30,15 @@ MeshData cover() {
 
 bool draws(const Program& program) {
     const SavedState saved;
-    const Framebuffer pixel(1, 1);
+    const Framebuffer pixel(1, 1, DepthBuffer::depth16);
     const Mesh mesh(cover());
     pixel.bind();
     const Texture white(1, 1, kWhite); // what a new program's samplers read
     white.bind(0);
     glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_DEPTH_TEST); // as scenes are drawn: some drivers compile a program anew for another state
     glClearColor(0, 0, 0, 0);
-    glClear(GL_COLOR_BUFFER_BIT);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     program.use();
     mesh.draw();
     return pixel.read_rgba()[3] == 255;

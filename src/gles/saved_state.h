@@ -6,16 +6,18 @@
 
 namespace metamer {
 
-/// Framebuffer, texture of unit 0, active unit (0 meanwhile), viewport, clear color, blending (off
-/// meanwhile), scissor test and depth test as they are now, and again at the end of its life. Make it before
-/// the objects that change them, so that it outlives them.
+/// Framebuffer, texture of unit 0, active unit (0 meanwhile), viewport, clear color, blending and dithering
+/// (off meanwhile), scissor test and depth test as they are now, and again at the end of its life. Make it
+/// before the objects that change them, so that it outlives them.
 class SavedState {
 public:
     SavedState()
         : scissor_(glIsEnabled(GL_SCISSOR_TEST)),
           depth_(glIsEnabled(GL_DEPTH_TEST)),
-          blend_(glIsEnabled(GL_BLEND)) {
+          blend_(glIsEnabled(GL_BLEND)),
+          dither_(glIsEnabled(GL_DITHER)) {
         glDisable(GL_BLEND);
+        glDisable(GL_DITHER);
         glGetIntegerv(GL_ACTIVE_TEXTURE, &unit_);
         glActiveTexture(GL_TEXTURE0);
         glGetIntegerv(GL_FRAMEBUFFER_BINDING, &framebuffer_);
@@ -35,10 +37,11 @@ public:
         (scissor_ ? glEnable : glDisable)(GL_SCISSOR_TEST);
         (depth_ ? glEnable : glDisable)(GL_DEPTH_TEST);
         (blend_ ? glEnable : glDisable)(GL_BLEND);
+        (dither_ ? glEnable : glDisable)(GL_DITHER);
     }
 
 private:
-    GLboolean scissor_, depth_, blend_;
+    GLboolean scissor_, depth_, blend_, dither_;
     GLint unit_ = GL_TEXTURE0, framebuffer_ = 0, texture_ = 0;
     std::array<GLint, 4> viewport_{};
     std::array<GLfloat, 4> clear_{};

@@ -54,7 +54,8 @@ TEST_F(DrawCheck, LeavesTheStateAsItWas) {
     glViewport(1, 2, 3, 1);
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, 0, 1, 1);
-    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_DITHER);
     glClearColor(0.25f, 0.5f, 0.75f, 1);
     const std::uint8_t white[4] = {255, 255, 255, 255};
     const Texture texture(1, 1, white);
@@ -74,9 +75,9 @@ TEST_F(DrawCheck, LeavesTheStateAsItWas) {
     EXPECT_EQ(viewport[0] * 1000 + viewport[1] * 100 + viewport[2] * 10 + viewport[3], 1231);
     EXPECT_EQ(clear[1], 0.5f);
     EXPECT_TRUE(glIsEnabled(GL_SCISSOR_TEST));
-    EXPECT_TRUE(glIsEnabled(GL_DEPTH_TEST));
+    EXPECT_FALSE(glIsEnabled(GL_DEPTH_TEST));
+    EXPECT_TRUE(glIsEnabled(GL_DITHER));
     glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_DEPTH_TEST);
 }
 
 } // namespace
