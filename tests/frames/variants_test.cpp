@@ -14,7 +14,8 @@ TEST(Variants, NamesAreTheirOwn) {
     std::set<std::string> names;
     for (const ShaderVariant& variant : shader_variants())
         EXPECT_TRUE(names.insert(variant.name).second) << variant.name;
-    EXPECT_EQ(names.size(), all_variants().size() + 3) << "the shadow pass, two pictures, and the table";
+    EXPECT_EQ(names.size(), all_variants().size() + 5)
+        << "the shadow pass, two pictures, two probes, and the table";
 }
 
 TEST(Variants, ReachTheLimitsOfExhibits) {
