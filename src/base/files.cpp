@@ -36,6 +36,8 @@ std::string read_file(const fs::path& path, std::size_t most_bytes) {
         throw bad_input("read", path.string(), "there is no such file");
     if (fs::is_directory(status))
         throw bad_input("read", path.string(), "it is a folder");
+    if (!fs::is_regular_file(status)) // reading may wait for somebody who never writes
+        throw bad_input("read", path.string(), "it is a pipe or a device, no file");
     std::ifstream in(path, std::ios::binary);
     if (!in)
         throw bad_input("read", path.string(), std::strerror(errno));

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/error.h"
@@ -35,6 +36,15 @@ std::string message_of(const std::function<void()>& call) {
         return error.what();
     }
     return "no error";
+}
+
+// Reading it would wait for somebody who writes.
+TEST_F(Files, APipeIsNotRead) {
+    const fs::path pipe = folder_ / "pipe.csv";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_THAT(message_of([&] { read_file(pipe, 100); }), HasSubstr("pipe.csv: it is a pipe"));
+    EXPECT_THAT(message_of([] { read_file("/dev/null", 100); }),
+                HasSubstr("/dev/null: it is a pipe or a device"));
 }
 
 TEST_F(Files, WhatIsWrittenIsRead) {
