@@ -188,10 +188,11 @@ void SdlInput::go_on(PointerPhase phase, Contact contact, PxPoint at, std::vecto
 }
 
 void SdlInput::cancel_lost(std::vector<Event>& events) {
-    const std::map<Contact, Finger> fingers = fingers_;
-    for (const auto& [contact, finger] : fingers)
+    for (auto next = fingers_.begin(); next != fingers_.end();) {
+        const auto [contact, finger] = *next++; // it may go
         if (contact != kMouse && !host_.touches(contact.first, contact.second))
             go_on(PointerPhase::cancel, contact, finger.at, events);
+    }
 }
 
 void SdlInput::cancel_all(std::vector<Event>& events) {

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "kiosk/kiosks.h"
+#include "window/sdl_input.h"
 
 namespace {
 
@@ -122,6 +123,28 @@ TEST_F(Frames, ADragOfTheSplitAllocatesNothing) {
     drag(60);
     EXPECT_EQ(allocations, 0);
     EXPECT_GE(stage_.frames_shown(), frames + 60);
+}
+
+TEST(FramesInput, AFingerThatIsDownAllocatesNothing) {
+    SdlInput input(0, {[] { return 1; }, [](SDL_TouchID, SDL_FingerID) { return true; }, [](bool) {}});
+    input.set_sizes({640, 480}, {640, 480});
+    std::vector<Event> events;
+    SDL_Event finger{};
+    finger.type = SDL_FINGERDOWN;
+    finger.tfinger.touchId = 7;
+    input.take(finger, events);
+    ASSERT_EQ(events.size(), 1u);
+    finger.type = SDL_FINGERMOTION;
+    allocations = 0;
+    counting = true;
+    for (int i = 0; i < 60; ++i) {
+        events.clear();
+        input.cancel_lost(events);
+        input.take(finger, events);
+    }
+    counting = false;
+    EXPECT_EQ(allocations, 0);
+    EXPECT_EQ(events.size(), 1u);
 }
 
 } // namespace
