@@ -32,7 +32,7 @@ struct Display {
     std::optional<Matrix3> matrix;
     Transfer transfer = Transfer::srgb;
     Adaptation adaptation = Adaptation::none;
-    int supersample = 1; ///< each pixel from this many squared, averaged in light: 1, 2
+    int supersample = 1; ///< each pixel from this many squared: 1, 2
     Gamut gamut = Gamut::clip;
     int color_depth_bits = 24; ///< of the framebuffer: 24, or 16 (RGB565)
     bool dither = false;       ///< ordered dithering to that depth

@@ -71,7 +71,7 @@ constexpr KeyInfo kKeys[] = {
     {"display", "transfer", choice, "", 0, 0, 1, transfer_names, "srgb", "curve from light to code values; none: code values are light"},
     {"display", "adaptation", choice, "", 0, 0, 1, adaptation_names, "none",
      "bradford: the eye is adapted to the lamp; none: to the display"},
-    {"display", "supersample", whole, "", 1, 2, 1, nullptr, "1", "each pixel from this many squared, averaged in light"},
+    {"display", "supersample", whole, "", 1, 2, 1, nullptr, "1", "each pixel from this many squared, averaged in light; in metamer run as codes, where the GPU has room"},
     {"display", "gamut", choice, "", 0, 0, 1, gamut_names, "clip",
      "colors that the space does not hold: cut off by component, or brought in at their hue"},
     {"display", "color_depth", choice, "bits", 0, 0, 1, color_depths, "24", "of the framebuffer; 16 is RGB565"},

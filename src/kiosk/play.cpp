@@ -1,21 +1,29 @@
 #include "kiosk/play.h"
 
 #include <GLES2/gl2.h>
+#include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
-
-#include "gles/texture.h"
 
 namespace metamer {
 
 namespace {
 
-// Supersampled only where a texture has room for it.
+/// Of a side's picture, whose own sides are powers of two: 24 MiB with its depth, as much as old boards have
+/// for it.
+constexpr unsigned kMostSupersampled = 1U << 22;
+
+// Supersampled only where the GPU has room for it.
 int scale_for(PxSize side, int asked) {
-    GLint most = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
-    most = std::min<GLint>(most, kMostTexturePx);
-    return side.width_px * asked <= most && side.height_px * asked <= most ? asked : 1;
+    GLint texture = 0, renderbuffer = 0, viewport[2] = {};
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+    glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &renderbuffer);
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
+    const auto most = static_cast<unsigned>(std::min({texture, renderbuffer, viewport[0], viewport[1]}));
+    const unsigned width = std::bit_ceil(static_cast<unsigned>(side.width_px * asked)),
+                   height = std::bit_ceil(static_cast<unsigned>(side.height_px * asked));
+    return width <= most && height <= most && width * height <= kMostSupersampled ? asked : 1;
 }
 
 } // namespace

@@ -81,6 +81,20 @@ TEST(Picture, Supersampled) {
     expect_twin(at, lit(at.text, at.state()));
 }
 
+// On screens as they are: 1280x720 and below have room for it.
+TEST(Picture, SupersamplingSmoothsEdges) {
+    const auto picture = [](const std::string& supersample) {
+        TestKiosk at("[display]\nsupersample = " + supersample +
+                         "\n[atlas]\nquantization = thesis\n[scene]\n" +
+                         "kind = loaf\nmaterials = cc-red\n[lamp.1]\nspectrum = E\n[compare]\n" +
+                         "right.method = rgb\n[kiosk]\nlamps = E, F11\npixel_shift = 0\n",
+                     {1280, 720});
+        at.settle();
+        return at.stage.read_rgba();
+    };
+    EXPECT_NE(picture("1"), picture("2"));
+}
+
 TEST(Picture, WithoutAComparison) {
     TestKiosk at("[atlas]\nquantization = thesis\n[scene]\nkind = patches\nmaterials = crayon-red, cc-cyan\n"
                  "[lamp.1]\nspectrum = F11\nstrength = 0.8\n[kiosk]\nlamps = E, F11\npixel_shift = 0\n");
