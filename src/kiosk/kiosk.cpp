@@ -37,11 +37,7 @@ Kiosk::Kiosk(KioskParts parts) : parts_(std::move(parts)) {
     good_ = visit_;
     refresh();
     draw();
-    parts_.log->write(
-        Priority::info, "shown",
-        {{"driver", parts_.stage->driver()},
-         {"renderer", gl_renderer()},
-         {"size", std::to_string(picture().width_px) + "x" + std::to_string(picture().height_px)}});
+    tell_shown();
     notify_ready();
     notify_running();
     set_watch();
@@ -49,6 +45,14 @@ Kiosk::Kiosk(KioskParts parts) : parts_(std::move(parts)) {
 }
 
 Kiosk::~Kiosk() = default;
+
+void Kiosk::tell_shown() {
+    parts_.log->write(
+        Priority::info, "shown",
+        {{"driver", parts_.stage->driver()},
+         {"renderer", gl_renderer()},
+         {"size", std::to_string(picture().width_px) + "x" + std::to_string(picture().height_px)}});
+}
 
 PxSize Kiosk::picture() const {
     return turned({parts_.stage->surface_width_px(), parts_.stage->surface_height_px()},
@@ -104,10 +108,10 @@ bool Kiosk::turn(double most_s) {
     parts_.log->flush();
     try {
         return act_and_draw(events);
-    } catch (const Error&) {
+    } catch (const Error& error) {
         // A context may go at any moment, and whatever is drawn then fails: the next turn makes all of it
-        // anew.
-        if (!parts_.stage->context_lost())
+        // anew, unless that is what failed.
+        if (error.status() == Exit::no_gl || !parts_.stage->context_lost())
             throw;
         for (const Event& event : events)
             if (reloads(event))
@@ -230,23 +234,23 @@ void Kiosk::reload() {
         good_ = visit_ = visit;
         loaded_ = std::move(fresh);
         parts_.stage->hang(loaded_->exhibit.kiosk.rotation_deg, loaded_->exhibit.kiosk.diagonal_in);
-        notice_.clear();
-        scene_refused_ = false;
+        reload_notice_.clear();
+        scene_notice_.clear();
         set_watch();
         parts_.log->write(Priority::info, "reloaded", {{"exhibit", loaded_->exhibit.place}});
     } catch (const Error& error) {
         if (parts_.stage->context_lost())
             throw;
-        refuse("reload_refused", error);
+        reload_notice_ = refuse("reload_refused", error);
     }
     hands_.let_go();
     stale_ = dirty_ = true;
     notify_ready();
 }
 
-void Kiosk::refuse(const char* event, const Error& error) {
-    notice_ = loaded_->words.text(visit_->state().language, "notice.refused", {{"error", error.what()}});
+std::string Kiosk::refuse(const char* event, const Error& error) {
     parts_.log->write(Priority::error, event, {{"error", error.what()}});
+    return loaded_->words.text(visit_->state().language, "notice.refused", {{"error", error.what()}});
 }
 
 void Kiosk::rebuild(const std::string& why) {
@@ -263,6 +267,7 @@ void Kiosk::rebuild(const std::string& why) {
     display_ = true; // where a window opens there is one
     stale_ = dirty_ = true;
     refresh(); // the events to come are about what stands there
+    tell_shown();
     notify_running();
 }
 
@@ -270,7 +275,14 @@ void Kiosk::set_watch() {
     if (loaded_->exhibit.kiosk.watch_s <= 0)
         watch_.reset();
     else if (!watch_)
-        watch_.emplace();
+        try {
+            watch_.emplace();
+        } catch (const Error& error) {
+            // The exhibit is drawn all the same.
+            if (parts_.stage->context_lost())
+                throw;
+            parts_.log->write(Priority::warning, "watch_off", {{"error", error.what()}});
+        }
 }
 
 void Kiosk::look_at_the_picture() {
@@ -293,10 +305,8 @@ void Kiosk::look_at_the_picture() {
 }
 
 void Kiosk::stage_scene() {
-    if (scene_refused_ && cue_of(*visit_) != cue_of(*good_)) {
-        notice_.clear();
-        scene_refused_ = false;
-    }
+    if (cue_of(*visit_) != cue_of(*good_))
+        scene_notice_.clear();
     const auto stage = [this] {
         show_->stage(cue_of(*visit_), scene_size(*loaded_, *visit_), parts_.stage->now_s());
     };
@@ -304,10 +314,11 @@ void Kiosk::stage_scene() {
         stage();
         good_ = visit_;
     } catch (const Error& error) {
-        if (error.status() != Exit::bad_input || cue_of(*visit_) == cue_of(*good_))
+        // The planner may refuse it, or the GPU: a program may be too long for it.
+        if (error.status() == Exit::no_gl || parts_.stage->context_lost() ||
+            cue_of(*visit_) == cue_of(*good_))
             throw;
-        refuse("scene_refused", error);
-        scene_refused_ = true;
+        scene_notice_ = refuse("scene_refused", error);
         visit_->put_back(*good_);
         stage();
     }
@@ -342,7 +353,7 @@ void Kiosk::lay_desk() {
                       &loaded_->words,
                       screen(*loaded_),
                       hands_.focus(),
-                      notice_,
+                      notice(),
                       show_->frame_ms()};
     desk_ = make_desk(facts);
     objects_ = objects_of(show_->play().exhibit());

@@ -39,7 +39,8 @@ public:
 
     const Visit& visit() const { return *visit_; }
     const Desk& desk() const { return desk_; }
-    const std::string& notice() const { return notice_; }
+    /// What the corner says: of the file that was refused last, else of the scene.
+    const std::string& notice() const { return reload_notice_.empty() ? scene_notice_ : reload_notice_; }
     const Show& show() const { return *show_; }
     long rebuilds() const { return rebuilds_; }
 
@@ -49,7 +50,8 @@ private:
     bool wakes();
     void act(const std::optional<Action>& action);
     void reload();
-    void refuse(const char* event, const Error& error);
+    std::string refuse(const char* event, const Error& error);
+    void tell_shown();
     void rebuild(const std::string& why);
     void set_watch();
     void look_at_the_picture();
@@ -82,8 +84,8 @@ private:
         int step = -1;
         std::optional<Focus> focus;
     } laid_;
-    std::string notice_;
-    bool scene_refused_ = false; ///< what the notice is about: gone with the next wish
+    std::string reload_notice_; ///< until the next good file
+    std::string scene_notice_;  ///< until the next wish
     Shift shown_shift_;
     double watched_s_ = 0, frame_s_ = -1;
     long rebuilds_ = 0;

@@ -41,7 +41,8 @@ public:
     /// Shows what was drawn there; waits for vsync where the display gives one.
     virtual void show() = 0;
 
-    /// Whether the context was reset since it was made (GL_EXT_robustness, GL_KHR_robustness).
+    /// Whether the context must be made anew: it was reset (GL_EXT_robustness, GL_KHR_robustness), cannot be
+    /// made current any more, or its screen was gone meanwhile.
     virtual bool context_lost() = 0;
 
     /// Makes window and context anew: after a loss. Every GL object made before is gone and must have been

@@ -314,6 +314,37 @@ TEST(Kiosk, EndsWhereNobodyWaitsForTheDisplayAnyMore) {
     EXPECT_FALSE(at.turn());
 }
 
+/// A stage whose window cannot be opened a second time.
+class OneWindow : public SurfacelessStage {
+public:
+    using SurfacelessStage::SurfacelessStage;
+    bool rebuild() override { throw no_gl("open", "a window", "there is none"); }
+};
+
+TEST(Kiosk, EndsWhereNoWindowCanBeMadeAgain) {
+    TestKiosk other;
+    OneWindow stage(640, 480);
+    KioskParts parts = other.parts();
+    parts.stage = &stage;
+    Kiosk kiosk(parts);
+    stage.lose_context();
+    try {
+        kiosk.turn(0);
+        FAIL() << "it would try for ever";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), Exit::no_gl);
+    }
+}
+
+TEST(Kiosk, TheLastWordAboutTheScreenIsTrue) {
+    TestKiosk at;
+    at.turn(DisplayGoneEvent{});
+    at.stage.lose_context();
+    at.turn();
+    at.log.end();
+    EXPECT_THAT(at.lines.back(), HasSubstr("event=shown")) << "a window could be opened";
+}
+
 TEST(Kiosk, ADisplayThatComesBackWithAContext) {
     TestKiosk at;
     at.turn(DisplayGoneEvent{});

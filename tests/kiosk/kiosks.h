@@ -31,7 +31,7 @@ public:
     KioskParts parts() {
         KioskParts parts;
         parts.stage = &stage;
-        parts.log = &log_;
+        parts.log = &log;
         parts.load = [this] {
             ++loads;
             in_loading();
@@ -97,11 +97,8 @@ public:
     std::vector<std::string> lines;
     SurfacelessStage stage;
 
-private:
-    Log log_{[this](std::string_view line) { lines.emplace_back(line); },
-             [] { return std::chrono::steady_clock::time_point(); }, false};
-
-public:
+    Log log{[this](std::string_view line) { lines.emplace_back(line); },
+            [] { return std::chrono::steady_clock::time_point(); }, false};
     Kiosk kiosk;
 };
 

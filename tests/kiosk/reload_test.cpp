@@ -199,6 +199,24 @@ TEST_F(RefusedScene, PutsTheLampBackWithANoticeUntilTheNextWish) {
     expect_scene();
 }
 
+TEST_F(RefusedScene, ARefusedFileIsToldUntilAGoodOne) {
+    start();
+    const std::string good = at.text;
+    at.text = "[scene]\nknd = patches\n";
+    at.turn(ReloadEvent{});
+    const std::string notice = at.kiosk.notice();
+    EXPECT_THAT(notice, HasSubstr("knd"));
+    at.tap(Part::lamp, 3);
+    at.settle();
+    at.tap(Part::lamp, 1);
+    at.settle();
+    EXPECT_EQ(at.kiosk.notice(), notice) << "whatever visitors do";
+    at.tap(Part::lamp, 3);
+    at.text = good;
+    at.turn(ReloadEvent{});
+    EXPECT_EQ(at.kiosk.notice(), "");
+}
+
 TEST_F(RefusedScene, InTheBoothToo) {
     start();
     at.tap(Part::mode);
