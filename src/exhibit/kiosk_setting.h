@@ -40,6 +40,7 @@ struct NightHours {
 struct KioskSetting {
     double idle_s = 60;             ///< without a touch, until the tour runs
     std::string language = "en";    ///< that the exhibit starts with
+    std::string language_place;     ///< where that is written: `kiosk.ini:12`; empty: nowhere
     std::filesystem::path strings;  ///< the folder of the languages; empty: the program's own
     std::vector<LampSetting> lamps; ///< the shelf; only lamp and key count
     /// Of `lamps`, what the booth starts with: two, unless the shelf has one or somebody wrote the same

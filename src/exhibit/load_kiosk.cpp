@@ -167,8 +167,10 @@ KioskSetting load_kiosk(const Settings& settings, Rows& rows, bool with_shelf, c
     load_screen(settings, kiosk);
     if (const Setting* s = settings.find("kiosk", "idle_s"))
         kiosk.idle_s = number(*s);
-    if (const Setting* s = settings.find("kiosk", "language"))
+    if (const Setting* s = settings.find("kiosk", "language")) {
         kiosk.language = language(*s, s->value);
+        kiosk.language_place = s->place;
+    }
     if (const Setting* s = settings.find("kiosk", "strings"))
         kiosk.strings = s->folder / s->value;
     if (const Setting* s = settings.find("kiosk", "night"))

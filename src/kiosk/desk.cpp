@@ -98,8 +98,7 @@ void DeskBuilder::add_shelf(Part part, const std::vector<PxBox>& boxes, std::opt
 }
 
 void DeskBuilder::add_strength() {
-    const int decimals = state_.strength < 0.995 ? 2 : state_.strength < 9.95 ? 1 : 0;
-    const std::string factor = facts_.words->number(language_.code, state_.strength, decimals);
+    const std::string factor = factor_words(state_.strength, *facts_.words, language_.code);
     add(Part::strength, desk_.layout.strength, say("slider.strength", {{"factor", factor}})).value =
         slider_of_strength(state_.strength);
 }
@@ -135,6 +134,7 @@ void DeskBuilder::add_panels() {
         Widget& panel = add(Part::panel, desk_.layout.panel,
                             product_->title + ". " + product_->number + ": " + product_->difference);
         panel.product = product_;
+        panel.focused = facts_.focus == kSceneFocus;
         add(Part::close, desk_.layout.close, say("button.close"));
     }
     add(Part::notice, desk_.layout.notice, brief_error(facts_.notice)).touchable = false;
@@ -188,9 +188,7 @@ const Widget* Desk::find(Part part, int index) const {
 
 Contents controls(const Exhibit& shelf, const Words& words, const VisitState& state) {
     Contents contents;
-    // Where each half has a lamp of its own, the shelf's would change nothing.
-    const bool own_lamps = shelf.compare && shelf.compare->left.lamp && shelf.compare->right.lamp;
-    contents.lamps = own_lamps ? 0 : static_cast<int>(shelf.kiosk.lamps.size());
+    contents.lamps = static_cast<int>(lamps_to_choose(shelf));
     contents.languages = static_cast<int>(words.languages().size());
     contents.booth = state.mode == Mode::booth;
     contents.right_to_left = words.language(state.language).right_to_left;
@@ -207,7 +205,13 @@ ExpertPanel expert_panel(const Facts& facts) {
         state.seen && state.seen->object < facts.exhibit->objects.size() ? state.seen->object : 0;
     const auto both = [&](auto value) {
         std::string left = value(facts.plan->halves.front()), right = value(facts.plan->halves.back());
-        return left == right ? left : left + " | " + right;
+        if (left == right)
+            return left;
+        if (!facts.words->language(language).right_to_left)
+            return left + " | " + right;
+        // The picture's left stays left: a pair that runs from left to right, each of it as its own words run
+        // (Unicode isolates, UAX #9).
+        return "\u2066\u2068" + left + "\u2069 | \u2068" + right + "\u2069\u2069";
     };
     ExpertPanel panel;
     panel.rows.push_back(

@@ -22,6 +22,9 @@ struct Focus {
     bool operator==(const Focus&) const = default;
 };
 
+/// The keyboard is on the scene: seen at the hint, or at the panel of what was chosen there.
+inline constexpr Focus kSceneFocus{Part::hint, 0};
+
 /// Everything that the screen tells of. Pointers are not owned.
 struct Facts {
     const Exhibit* shelf;   ///< whose [kiosk] holds

@@ -7,7 +7,6 @@ namespace metamer {
 
 namespace {
 
-constexpr Focus kScene{Part::hint, 0};
 constexpr double kSliderStep = 0.05, kSplitStep = 0.025;
 
 std::optional<Action> action_of(const Widget& widget, const Within& within) {
@@ -109,7 +108,7 @@ std::optional<Action> Hands::pointer(const PointerEvent& event, const Within& wi
 }
 
 void Hands::move_focus(int by, const Within& within) {
-    std::vector<Focus> order{kScene};
+    std::vector<Focus> order{kSceneFocus};
     for (const Widget& widget : within.desk->widgets)
         if (widget.touchable && widget.part != Part::panel)
             order.push_back({widget.part, widget.index});
@@ -128,7 +127,7 @@ std::optional<Action> Hands::nudge(int by, const Within& within) {
     }
     if (focus_ && focus_->part == Part::split)
         return SetSplit{within.state->split + by * kSplitStep};
-    if (focus_ == kScene && !within.objects.empty()) {
+    if (focus_ == kSceneFocus && !within.objects.empty()) {
         const auto count = static_cast<int>(within.objects.size());
         const auto found = within.state->seen
                                ? std::find(within.objects.begin(), within.objects.end(), *within.state->seen)
@@ -137,12 +136,13 @@ std::optional<Action> Hands::nudge(int by, const Within& within) {
                                                      : static_cast<int>(found - within.objects.begin());
         return within.objects[static_cast<std::size_t>((at + by + count) % count)];
     }
-    move_focus(by, within);
+    const bool mirrored = within.words->language(within.state->language).right_to_left;
+    move_focus(mirrored ? -by : by, within);
     return std::nullopt;
 }
 
 std::optional<Action> Hands::enter(const Within& within) {
-    if (!focus_ || focus_ == kScene)
+    if (!focus_ || focus_ == kSceneFocus)
         return within.objects.empty()
                    ? std::nullopt
                    : std::optional<Action>(within.state->seen ? *within.state->seen : within.objects.front());

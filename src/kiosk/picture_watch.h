@@ -16,8 +16,9 @@ class PictureWatch {
 public:
     PictureWatch();
 
-    /// What is wrong, as one sentence: `spectral shows 12 34 56 where 80 90 20 belongs`, `GL: out of memory`;
-    /// empty where all is well. A color may be 2 steps off. Leaves another framebuffer bound.
+    /// What is wrong, as one sentence: `spectral shows 12 34 56 where 80 90 20 belongs`, `cannot draw
+    /// the frame: GL_OUT_OF_MEMORY`; empty where all is well. A color may be 2 steps off. Leaves another
+    /// framebuffer bound.
     std::string look();
 
 private:

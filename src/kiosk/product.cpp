@@ -151,6 +151,21 @@ bool by_numbers(const HalfPlan& plan) {
     return 2 * products > static_cast<long>(plan.objects.size());
 }
 
+// What most of a half's objects are drawn by.
+Method method_of(const HalfPlan& plan) {
+    const auto count = [&](const ObjectPlan& object) {
+        return std::ranges::count(plan.objects, object.method, &ObjectPlan::method);
+    };
+    return std::ranges::max_element(plan.objects, {}, count)->method;
+}
+
+double strength_of(const HalfView& view) {
+    double sum = 0;
+    for (const HalfLamp& lamp : view.lamps)
+        sum += lamp.strength;
+    return sum;
+}
+
 bool same_lamps(const HalfView& a, const HalfView& b) {
     return std::ranges::equal(a.lamps, b.lamps, {}, &HalfLamp::key, &HalfLamp::key);
 }
@@ -163,11 +178,16 @@ Bars lamp_bars(const LampSetting& lamp, const Atlas& atlas) {
     return bars(values, greatest(values));
 }
 
+std::string factor_words(double factor, const Words& words, const std::string& language) {
+    return words.number(language, factor, factor < 0.995 ? 2 : factor < 9.95 ? 1 : 0);
+}
+
 std::string half_name(const Exhibit& exhibit, const Plan& plan, std::size_t half, HalfName kind,
                       const Words& words, const std::string& language) {
     const HalfPlan& own = plan.halves[half];
     const HalfPlan& other = plan.halves[plan.halves.size() - 1 - half];
     const bool brief = kind == HalfName::brief;
+    // What they differ in.
     if (plan.halves.size() > 1 && by_numbers(own) == by_numbers(other)) {
         if (!same_lamps(own.view, other.view)) {
             const std::string name = lamp_words(own.view, words, language);
@@ -178,6 +198,14 @@ std::string half_name(const Exhibit& exhibit, const Plan& plan, std::size_t half
                 half == 0 ? exhibit.compare->left.working_space : exhibit.compare->right.working_space;
             const std::string name((set ? set : exhibit.display.working_space)->name);
             return brief ? name : words.text(language, "half.space", {{"space", name}});
+        }
+        const double strength = strength_of(own.view), others = strength_of(other.view);
+        if (std::abs(strength - others) > 1e-6 * std::max(strength, others))
+            return words.text(language, "slider.strength",
+                              {{"factor", factor_words(strength, words, language)}});
+        if (method_of(own) != method_of(other)) {
+            const std::string name(method_name(method_of(own)));
+            return brief ? name : words.text(language, "method." + name);
         }
     }
     const std::string how = by_numbers(own) ? "numbers" : "wavelengths";

@@ -25,7 +25,11 @@ Bars lamp_bars(const LampSetting& lamp, const Atlas& atlas);
 /// Whether nobody can tell the booth's two cards apart in a half, evenly lit: CIEDE2000 below 1.
 bool cards_match(const Exhibit& booth, const Plan& plan, const ExhibitSpectra& spectra, std::size_t half);
 
-/// What a half is, in words: how it computes where the halves differ in that, else its lamp, else its space.
+/// A factor of brightness as people read it, to two digits: `0.25`, `1.5`, `12`.
+std::string factor_words(double factor, const Words& words, const std::string& language);
+
+/// What a half is, in words: by numbers or by wavelengths where the halves differ in that; else what they do
+/// differ in: the lamp, the space, the lamps' strength, the method.
 enum class HalfName { full, brief };
 std::string half_name(const Exhibit& exhibit, const Plan& plan, std::size_t half, HalfName kind,
                       const Words& words, const std::string& language);

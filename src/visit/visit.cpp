@@ -43,7 +43,7 @@ VisitState kept(const Exhibit& old, const VisitState& state, const Exhibit& fres
     if (state.language != was.language)
         kept.language = state.language;
     kept.strength = state.strength;
-    kept.mode = fresh.kiosk.lamps.size() < 2 ? kept.mode : state.mode;
+    kept.mode = lamps_to_choose(fresh) < 2 ? kept.mode : state.mode;
     kept.expert = state.expert;
     return kept;
 }
@@ -74,6 +74,8 @@ struct Wish {
     void operator()(const ChooseLanguage& wish) const { state.language = wish.language; }
     void operator()(const ToggleExpert&) const { state.expert = !state.expert; }
     void operator()(const ChooseMode& wish) const {
+        if (wish.mode == Mode::booth && lamps_to_choose(exhibit) < 2)
+            return;
         if (state.mode != wish.mode)
             state.seen.reset();
         state.mode = wish.mode;

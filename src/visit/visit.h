@@ -52,8 +52,8 @@ public:
     /// else.
     bool touch(double now_s);
 
-    /// What the touch meant. Numbers are clamped to their ranges; what is not there (a lamp, an object, a
-    /// language) is ignored.
+    /// What the touch meant. Numbers are clamped to their ranges; a lamp that is not on the
+    /// shelf, and a booth of less than two lamps, are ignored.
     void act(const Action& action);
 
     /// Moves on to this time. `minute_of_day`: local time, 0 .. 1439, for the night.

@@ -61,6 +61,16 @@ void apply(const VisitState& state, const Exhibit& exhibit, Exhibit& drawn) {
         lamp.key = source.key;
         lamp.strength = exhibit.lamps[i].strength * state.strength;
     }
+    if (!exhibit.compare)
+        return;
+    for (Half Compare::*half : {&Compare::left, &Compare::right})
+        if (const auto& own = ((*exhibit.compare).*half).strength)
+            ((*drawn.compare).*half).strength = *own * state.strength;
+}
+
+std::size_t lamps_to_choose(const Exhibit& exhibit) {
+    const bool own_lamps = exhibit.compare && exhibit.compare->left.lamp && exhibit.compare->right.lamp;
+    return own_lamps ? 0 : exhibit.kiosk.lamps.size();
 }
 
 } // namespace metamer

@@ -25,7 +25,7 @@ struct VisitState {
     Mode mode = Mode::methods;
     /// Of KioskSetting::lamps, the spectrum of every lamp; none: each lamp's own, as the INI says.
     std::optional<std::size_t> lamp;
-    double strength = 1;      ///< factor on every lamp's own strength, kLeastStrength .. kMostStrength
+    double strength = 1;      ///< factor on every lamp's and half's own, kLeastStrength .. kMostStrength
     double split = 0.5;       ///< 0 .. 1
     std::optional<Seen> seen; ///< whose panel is open
     std::string language = "en";
@@ -46,6 +46,10 @@ double split_share(const Exhibit& exhibit);
 
 /// Whether each half shows all of the scene in half of the width, as a light booth does: there is no split.
 bool halves_side_by_side(const Exhibit& exhibit);
+
+/// How many lamps the shelf shows: none where each half has a lamp of its own, which it would not change. A
+/// booth takes two.
+std::size_t lamps_to_choose(const Exhibit& exhibit);
 
 /// The slider's place 0 .. 1 of a strength and back; logarithmic, 1 in the middle.
 double slider_of_strength(double strength);

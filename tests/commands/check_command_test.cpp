@@ -69,7 +69,8 @@ TEST_F(Check, ALampThatNoEyeAdaptsTo) {
 TEST_F(Check, TheWordsOfAnExhibit) {
     write("kiosk.ini", read("one.ini") + "[kiosk]\nlanguage = xx\n");
     expect_failure(2, {"check", "kiosk.ini"},
-                   "cannot read kiosk.ini: language = xx has no file in the folder of strings");
+                   "cannot read kiosk.ini:7: language = xx has no file in the folder of strings, which has "
+                   "en, ar, de, es, fr, ja");
     fs::create_directory(folder_ / "strings");
     write("strings/xx.ini", "[language]\nname = X\n");
     write("kiosk.ini", read("one.ini") + "[kiosk]\nlanguage = xx\nstrings = strings\n");

@@ -220,6 +220,15 @@ TEST(Desk, TellsExpertsHow) {
                     at.words.text("en", "expert.milliseconds", {{"ms", "12.3"}})));
 }
 
+TEST(Desk, TellsExpertsOfTheHalvesAsTheyLieWhateverWayWordsRun) {
+    TestDesk at;
+    at.tap(Part::expert);
+    at.visit.act(ChooseLanguage{"ar"});
+    at.lay();
+    EXPECT_EQ(at.desk.find(Part::expert_panel)->expert->rows[2][1],
+              "\u2066\u20683\u2069 | \u2068471\u2069\u2069");
+}
+
 TEST(Desk, TellsExpertsOfTheObjectThatIsOpen) {
     TestDesk at(patches("[object.cc-yellow]\nmethod = spectral\n"));
     at.visit.act(ToggleExpert{});

@@ -7,8 +7,6 @@
 namespace metamer {
 namespace {
 
-constexpr Focus kScene{Part::hint, 0};
-
 std::set<std::pair<Part, int>> touchable(const Desk& desk) {
     std::set<std::pair<Part, int>> all;
     for (const Widget& widget : desk.widgets)
@@ -45,8 +43,8 @@ TEST(Keys, TheFocusReachesEverything) {
                 std::set<std::pair<Part, int>> reached;
                 bool scene = false;
                 for (const Focus& focus : round_by(at, key)) {
-                    scene = scene || focus == kScene;
-                    if (!(focus == kScene))
+                    scene = scene || focus == kSceneFocus;
+                    if (!(focus == kSceneFocus))
                         reached.insert({focus.part, focus.index});
                 }
                 EXPECT_TRUE(scene);
@@ -61,8 +59,11 @@ TEST(Keys, TheFocusIsSeen) {
     ASSERT_TRUE(at.focus({Part::lamp, 2}));
     for (const Widget& widget : at.desk.widgets)
         EXPECT_EQ(widget.focused, widget.part == Part::lamp && widget.index == 2);
-    at.focus(kScene);
+    at.focus(kSceneFocus);
     EXPECT_TRUE(at.desk.find(Part::hint)->focused);
+    at.key(Key::right);
+    ASSERT_NE(at.desk.find(Part::panel), nullptr);
+    EXPECT_TRUE(at.desk.find(Part::panel)->focused) << "there is no hint beside it";
 }
 
 TEST(Keys, EnterDoesWhatATapDoes) {
@@ -124,11 +125,11 @@ TEST(Keys, RightToLeftTheSliderMovesAsItIsSeen) {
 
 TEST(Keys, ArrowsGoFromObjectToObject) {
     TestDesk at;
-    ASSERT_TRUE(at.focus(kScene));
+    ASSERT_TRUE(at.focus(kSceneFocus));
     for (const std::size_t object : {0u, 1u, 2u, 0u}) {
         EXPECT_TRUE(at.key(Key::right));
         EXPECT_EQ(at.visit.state().seen->object, object);
-        EXPECT_EQ(at.hands.focus(), kScene);
+        EXPECT_EQ(at.hands.focus(), kSceneFocus);
     }
     at.key(Key::left);
     EXPECT_EQ(at.visit.state().seen->object, 2u);
@@ -143,6 +144,10 @@ TEST(Keys, ElsewhereArrowsMoveTheFocus) {
     EXPECT_EQ(at.hands.focus(), (Focus{Part::lamp, 1}));
     EXPECT_FALSE(at.key(Key::left));
     EXPECT_EQ(at.hands.focus(), (Focus{Part::lamp, 0}));
+    at.visit.act(ChooseLanguage{"ar"});
+    at.lay();
+    at.key(Key::left);
+    EXPECT_EQ(at.hands.focus(), (Focus{Part::lamp, 1})) << "the shelf runs from right to left";
 }
 
 TEST(Keys, EnterWithoutFocusOpensTheFirstObject) {
@@ -173,7 +178,7 @@ TEST(Keys, AFocusThatIsGoneGoesOn) {
     EXPECT_EQ(at.desk.find(Part::close), nullptr);
     EXPECT_FALSE(at.key(Key::enter)) << "nothing is there any more";
     at.key(Key::tab);
-    EXPECT_EQ(at.hands.focus(), kScene);
+    EXPECT_EQ(at.hands.focus(), kSceneFocus);
 }
 
 } // namespace

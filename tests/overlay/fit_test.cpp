@@ -101,6 +101,28 @@ TEST_P(Fit, EveryLampOverItsSideOfTheBooth) {
     }
 }
 
+// Halves that differ in their methods or strengths only.
+TEST_P(Fit, EveryMethodAndStrengthOverItsHalf) {
+    std::vector<std::string> names{words_.text(GetParam(), "slider.strength", {{"factor", "0.05"}})};
+    for (const char* method :
+         {"rgb", "tristimulus", "spectral", "prefiltered", "packed", "reduced", "folded"})
+        names.push_back(words_.text(GetParam(), std::string("method.") + method));
+    for (const ScreenSize& screen : screens()) {
+        Sample sample;
+        sample.screen = screen;
+        sample.language = GetParam();
+        sample.contents.lamps = 12;
+        SampleScreen whole = sample_screen(words_, sample);
+        for (Widget& widget : whole.widgets)
+            for (const std::string& name : names) {
+                if (widget.part != Part::left_label && widget.part != Part::right_label)
+                    continue;
+                widget.text = name;
+                EXPECT_TRUE(text_fits(widget, whole.layout.unit_px)) << said(sample) << " " << name;
+            }
+    }
+}
+
 /// The rows of a tile that its name's letters stand in.
 std::pair<int, int> rows_of_name(const Widget& tile, double unit_px) {
     const Picture picture = paint(tile, unit_px);

@@ -63,5 +63,19 @@ TEST(Apply, ChangesEveryLampsSpectrumAndScalesItsStrength) {
     EXPECT_EQ(drawn.lamps[0].strength, 2);
 }
 
+TEST(Apply, ScalesWhatHalvesHaveInsteadToo) {
+    Exhibit exhibit = visited();
+    exhibit.compare = Compare();
+    exhibit.compare->right.strength = 3;
+    Exhibit drawn = exhibit;
+    VisitState state = start_state(exhibit);
+    for (const double factor : {4.0, 0.5}) {
+        state.strength = factor;
+        apply(state, exhibit, drawn);
+        EXPECT_EQ(drawn.compare->right.strength, 3 * factor);
+        EXPECT_FALSE(drawn.compare->left.strength);
+    }
+}
+
 } // namespace
 } // namespace metamer

@@ -189,6 +189,21 @@ TEST(Visit, AReloadTakesOverWhatNobodyChose) {
     EXPECT_EQ(visit.state().mode, Mode::methods) << "no lamps for a booth";
 }
 
+TEST(Visit, NoBoothWhereTheShelfIsNotShown) {
+    const Exhibit before = visited();
+    Exhibit own = visited();
+    own.compare.emplace();
+    own.compare->left.lamp = own.compare->right.lamp = own.kiosk.lamps[0];
+    Visit visit(before, 0);
+    visit.touch(1);
+    visit.act(ChooseMode{Mode::booth});
+    ASSERT_EQ(visit.state().mode, Mode::booth);
+    visit.take_over(own);
+    EXPECT_EQ(visit.state().mode, Mode::methods) << "nothing would lead out of it";
+    visit.act(ChooseMode{Mode::booth});
+    EXPECT_EQ(visit.state().mode, Mode::methods);
+}
+
 TEST(Visit, AReloadBeginsTheTourAnew) {
     const Exhibit before = visited(kTour), after = visited("[tour.1]\nseconds = 3\n");
     Visit visit(before, 0);
