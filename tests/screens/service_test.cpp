@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "screens/on_screen.h"
+#include "service/notify_socket.h"
 
 namespace metamer {
 namespace {
@@ -45,6 +46,48 @@ TEST_F(Service, EndsBySignals) {
     kiosk_.emplace(folder_, std::vector<std::string>{"exhibit.ini"});
     kiosk_->told();
     EXPECT_EQ(kiosk_->end_by(SIGINT), 0) << kiosk_->log();
+}
+
+// Whoever starts it anew where it hangs hears of it all the time.
+TEST_F(Service, TellsSystemdThatItLives) {
+    const test::NotifySocket systemd;
+    const auto await = [&](const std::string& word) {
+        constexpr int kLong_ms = 40'000;
+        std::string all;
+        for (std::string said; (said = systemd.heard(kLong_ms)) != "";) {
+            if (said.starts_with(word))
+                return;
+            all += said + "; ";
+        }
+        FAIL() << "never said " << word << ": " << all << kiosk_->log();
+    };
+    open_screen(kScreen);
+    start_kiosk(test::kPatches, 0, {{"NOTIFY_SOCKET", systemd.path()}, {"WATCHDOG_USEC", "4000000"}});
+    await("READY=1");
+    await("STATUS=running");
+    for (int i = 0; i < 3; ++i) // nothing happens meanwhile
+        await("WATCHDOG=1");
+    kiosk_->send(SIGHUP);
+    await("RELOADING=1");
+    await("READY=1");
+    await("WATCHDOG=1");
+    EXPECT_EQ(kiosk_->end_by(SIGTERM), 0) << kiosk_->log();
+    await("STOPPING=1");
+}
+
+TEST_F(Service, ShowsAWindowWhereAskedTo) {
+    start(kScreen);
+    const auto size = [&] {
+        const Json told = kiosk_->told();
+        return std::pair(told.at("width_px"), told.at("height_px"));
+    };
+    EXPECT_EQ(size(), std::pair(Json(640), Json(480))) << "all of the screen";
+    write_exhibit(test::kPatches);
+    kiosk_.emplace(folder_, std::vector<std::string>{"exhibit.ini", "--size", "320x240"});
+    EXPECT_EQ(size(), std::pair(Json(320), Json(240)));
+    write_exhibit("[display]\nfullscreen = no\nwidth = 400\nheight = 300\n" + std::string(test::kPatches));
+    kiosk_.emplace(folder_, std::vector<std::string>{"exhibit.ini"});
+    EXPECT_EQ(size(), std::pair(Json(400), Json(300)));
 }
 
 TEST_F(Service, TakesChangesOver) {

@@ -23,7 +23,8 @@ grep Overall "$scratch/said"
 expect "commands without a path" "" "$(grep -E '^Exec[A-Za-z]*=[^/]' "$scripts/../config/metamer.service")"
 
 # What the issue of running for months asks, line by line.
-for line in Type=notify Restart=always StartLimitIntervalSec=0 ProtectSystem=strict NoNewPrivileges=yes \
+for line in Type=notify Restart=always StartLimitIntervalSec=0 WatchdogSec=30 MemoryHigh=384M MemoryMax=512M \
+    DynamicUser=yes ProtectSystem=strict NoNewPrivileges=yes RuntimeDirectory=metamer IPAddressDeny=any \
     "SupplementaryGroups=video render input" "ExecStart=/usr/bin/metamer run --wait /etc/metamer/kiosk.ini"; do
     expect "$line" "$line" "$(grep -xF -- "$line" "$scripts/../config/metamer.service")"
 done

@@ -1,11 +1,10 @@
 #include "service/notify.h"
 
 #include <cstdlib>
-#include <filesystem>
 #include <gmock/gmock.h>
-#include <sys/socket.h>
-#include <sys/un.h>
 #include <unistd.h>
+
+#include "service/notify_socket.h"
 
 namespace metamer {
 namespace {
@@ -14,35 +13,14 @@ using testing::Eq;
 using testing::Optional;
 using namespace std::chrono_literals;
 
-/// Takes systemd's part: a datagram socket, named in NOTIFY_SOCKET.
 class NotifyTest : public testing::Test {
 protected:
-    void SetUp() override {
-        path_ = (std::filesystem::temp_directory_path() / ("metamer-notify-" + std::to_string(getpid())))
-                    .string();
-        socket_ = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-        sockaddr_un address{};
-        address.sun_family = AF_UNIX;
-        ASSERT_LT(path_.size(), sizeof address.sun_path);
-        path_.copy(address.sun_path, path_.size());
-        ASSERT_EQ(bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
-        setenv("NOTIFY_SOCKET", path_.c_str(), 1);
-    }
-    void TearDown() override {
-        unsetenv("NOTIFY_SOCKET");
-        close(socket_);
-        std::filesystem::remove(path_);
-    }
-    /// The next datagram; empty where there is none.
-    std::string heard() const {
-        char bytes[4096];
-        const auto size = recv(socket_, bytes, sizeof bytes, MSG_DONTWAIT);
-        return size < 0 ? "" : std::string(bytes, static_cast<std::size_t>(size));
-    }
+    void SetUp() override { setenv("NOTIFY_SOCKET", systemd_.path().c_str(), 1); }
+    void TearDown() override { unsetenv("NOTIFY_SOCKET"); }
+    std::string heard() const { return systemd_.heard(); }
 
 private:
-    std::string path_;
-    int socket_ = -1;
+    test::NotifySocket systemd_;
 };
 
 TEST_F(NotifyTest, SpeaksSystemdsWords) {
