@@ -63,6 +63,8 @@ const char* part_name(Part part) {
         return "expert";
     case Part::panel:
         return "panel";
+    case Part::next:
+        return "next";
     case Part::close:
         return "close";
     case Part::expert_panel:

@@ -135,6 +135,8 @@ void DeskBuilder::add_panels() {
                             product_->title + ". " + product_->number + ": " + product_->difference);
         panel.product = product_;
         panel.focused = facts_.focus == kSceneFocus;
+        if (facts_.exhibit->objects.size() > 1)
+            add(Part::next, desk_.layout.next, say("button.next"));
         add(Part::close, desk_.layout.close, say("button.close"));
     }
     add(Part::notice, desk_.layout.notice, brief_error(facts_.notice)).touchable = false;

@@ -9,6 +9,16 @@ namespace {
 
 constexpr double kSliderStep = 0.05, kSplitStep = 0.025;
 
+/// By so many from the one that is open, round and round; where none is, the first or the last.
+Action object_beside(int by, const Within& within) {
+    const auto count = static_cast<int>(within.objects.size());
+    const auto found =
+        within.state->seen ? std::ranges::find(within.objects, *within.state->seen) : within.objects.end();
+    const int at =
+        found == within.objects.end() ? (by > 0 ? -1 : 0) : static_cast<int>(found - within.objects.begin());
+    return within.objects[static_cast<std::size_t>((at + by + count) % count)];
+}
+
 std::optional<Action> action_of(const Widget& widget, const Within& within) {
     const auto index = static_cast<std::size_t>(widget.index);
     switch (widget.part) {
@@ -22,6 +32,8 @@ std::optional<Action> action_of(const Widget& widget, const Within& within) {
         return ChooseLanguage{within.words->languages()[index].code};
     case Part::expert:
         return ToggleExpert{};
+    case Part::next:
+        return within.objects.empty() ? std::nullopt : std::optional(object_beside(1, within));
     case Part::close:
         return ClosePanel{};
     default:
@@ -127,15 +139,8 @@ std::optional<Action> Hands::nudge(int by, const Within& within) {
     }
     if (focus_ && focus_->part == Part::split)
         return SetSplit{within.state->split + by * kSplitStep};
-    if (focus_ == kSceneFocus && !within.objects.empty()) {
-        const auto count = static_cast<int>(within.objects.size());
-        const auto found = within.state->seen
-                               ? std::find(within.objects.begin(), within.objects.end(), *within.state->seen)
-                               : within.objects.end();
-        const int at = found == within.objects.end() ? (by > 0 ? -1 : 0)
-                                                     : static_cast<int>(found - within.objects.begin());
-        return within.objects[static_cast<std::size_t>((at + by + count) % count)];
-    }
+    if (focus_ == kSceneFocus && !within.objects.empty())
+        return object_beside(by, within);
     const bool mirrored = within.words->language(within.state->language).right_to_left;
     move_focus(mirrored ? -by : by, within);
     return std::nullopt;

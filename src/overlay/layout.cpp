@@ -107,6 +107,8 @@ private:
         const double right = layout_.panel.right() / unit_px_ - kCloseInset;
         const double bottom = layout_.panel.bottom() / unit_px_ - kCloseInset;
         layout_.close = box(right - kCloseWidth, bottom - kCloseHeight, right, bottom);
+        const double next = right - kCloseWidth - kCloseInset;
+        layout_.next = box(next - kNextWidth, bottom - kCloseHeight, next, bottom);
     }
 
     double unit_px_, gap_;
@@ -128,8 +130,8 @@ void mirror(const ScreenSize& screen, const Contents& contents, Layout& layout) 
         if (box.width > 0)
             box.left = width_px - box.right();
     };
-    for (PxBox* box : {&layout.strength, &layout.mode, &layout.expert, &layout.panel, &layout.close,
-                       &layout.expert_panel, &layout.caption, &layout.hint, &layout.notice})
+    for (PxBox* box : {&layout.strength, &layout.mode, &layout.expert, &layout.panel, &layout.next,
+                       &layout.close, &layout.expert_panel, &layout.caption, &layout.hint, &layout.notice})
         turn(*box, screen.width_px);
     for (PxBox& box : layout.languages)
         turn(box, screen.width_px);

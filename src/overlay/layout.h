@@ -32,19 +32,19 @@ struct Layout {
     double unit_px = 4;            ///< a millimetre on this screen, after shrinking
     PxBox left_label, right_label; ///< above the scene
     std::vector<PxBox> lamps, lamps_right;
-    PxBox strength, mode, expert, panel, close, expert_panel, caption, hint, notice;
+    PxBox strength, mode, expert, panel, next, close, expert_panel, caption, hint, notice;
     std::vector<PxBox> languages;
 };
 
 /// Every box inside the screen; all that can be touched in the lower half, reachable from a wheelchair; no
 /// two boxes overlap, but those on the scene lie inside it and `close` inside `panel`, in its lower corner
-/// (kCloseWidth x kCloseHeight units, kCloseInset from the edges). Mirrored for right_to_left, except what
-/// belongs to a half of the scene: labels, and the booth's shelves as a whole. Controls stand where they
-/// stand whatever lies over the scene. Holds from 320 x 240 to 4096 x 4096 px, for up to 12 lamps and 12
-/// languages.
+/// (kCloseWidth x kCloseHeight units, kCloseInset from the edges), `next` beside it (kNextWidth). Mirrored
+/// for right_to_left, except what belongs to a half of the scene: labels, and the booth's shelves as a whole.
+/// Controls stand where they stand whatever lies over the scene. Holds from 320 x 240 to 4096 x 4096 px, for
+/// up to 12 lamps and 12 languages.
 Layout lay_out(const ScreenSize& screen, const Contents& contents);
 
-inline constexpr double kCloseWidth = 22, kCloseHeight = 9, kCloseInset = 0.8;
+inline constexpr double kCloseWidth = 22, kCloseHeight = 9, kCloseInset = 0.8, kNextWidth = 9;
 
 /// Heights, units: two lines of words, of a notice four; and a finger's.
 inline constexpr double kLabelHeight = 7, kNoticeHeight = 12.6, kHintHeight = 7, kCaptionHeight = 12;

@@ -102,6 +102,22 @@ void paint_button(Brush& brush, const Widget& widget, const Rect& whole) {
     brush.write(widget.text, words, style);
 }
 
+void paint_next(Brush& brush, const Rect& whole) {
+    const double u = brush.unit();
+    brush.fill(whole, kCorner * u, kLightTone);
+    const double along = (brush.right_to_left() ? -1 : 1) * 0.9 * u, x = whole.middle_x(),
+                 y = whole.middle_y();
+    cairo_t* cairo = brush.cairo();
+    cairo_move_to(cairo, x - along, y - 1.8 * u);
+    cairo_line_to(cairo, x + along, y);
+    cairo_line_to(cairo, x - along, y + 1.8 * u);
+    brush.color(kLightTone.ink);
+    cairo_set_line_width(cairo, 0.7 * u);
+    cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+    cairo_stroke(cairo);
+}
+
 void paint_close(Brush& brush, const Widget& widget, const Rect& whole) {
     const double u = brush.unit();
     brush.fill(whole, kCorner * u, kLightTone);

@@ -144,8 +144,9 @@ void paint_product(Brush& brush, const ProductPanel& product, const Rect& whole)
     paint_plots(brush, product, rest);
     paint_fields(brush, product, brush.cut_start(below, std::clamp(0.38 * below.w, 34 * u, 62 * u)));
     brush.cut_start(below, 2.2 * u);
-    // The widget `close` has that corner (layout.h).
-    brush.cut_end(below, std::max((kCloseWidth + kCloseInset) * u - 1.2 * pad, 0.0) + 1.6 * u);
+    // The widgets `close` and `next` have that corner (layout.h).
+    constexpr double kCorner_units = kCloseWidth + kNextWidth + 2 * kCloseInset;
+    brush.cut_end(below, std::max(kCorner_units * u - 1.2 * pad, 0.0) + 1.6 * u);
     const Rect words = below.cut_top(0.62 * below.h);
     below.cut_top(0.6 * u);
     brush.write(product.difference, words, {3.4, kPanelTone.ink, brush.start(), Stand::bottom, true, 3});

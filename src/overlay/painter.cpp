@@ -28,6 +28,8 @@ void paint_part(Brush& brush, const Widget& widget, const Rect& whole) {
         return paint_button(brush, widget, whole);
     case Part::panel:
         return paint_product(brush, widget.product.value_or(ProductPanel{}), whole);
+    case Part::next:
+        return paint_next(brush, whole);
     case Part::close:
         return paint_close(brush, widget, whole);
     case Part::expert_panel:

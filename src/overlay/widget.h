@@ -24,6 +24,7 @@ enum class Part {
     language,     ///< button of a language; index: of Words::languages()
     expert,       ///< button
     panel,        ///< lamp x material = eye, of one object
+    next,         ///< the panel of the next object
     close,        ///< closes the panel
     expert_panel, ///< method, space, N, tolerance, reason, frame time
     caption,      ///< the tour's words

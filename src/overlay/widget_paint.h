@@ -11,6 +11,7 @@ inline constexpr double kCorner = 1.6; ///< radius of round corners, units
 void paint_lamp(Brush& brush, const Widget& widget, const Rect& whole);
 void paint_slider(Brush& brush, const Widget& widget, const Rect& whole);
 void paint_button(Brush& brush, const Widget& widget, const Rect& whole);
+void paint_next(Brush& brush, const Rect& whole);
 void paint_close(Brush& brush, const Widget& widget, const Rect& whole);
 
 void paint_half_label(Brush& brush, const Widget& widget, const Rect& whole);

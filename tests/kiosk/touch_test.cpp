@@ -72,6 +72,23 @@ TEST(Touch, OpensEachObjectAndCloses) {
     }
 }
 
+// From where a hand reaches, in the lower half: one object after the other, round and round.
+TEST(Touch, GoesFromObjectToObjectOnThePanel) {
+    TestDesk at;
+    at.visit.act(OpenObject{1, "crayon-blue"});
+    at.lay();
+    for (const std::size_t object : {2u, 0u, 1u}) {
+        ASSERT_TRUE(at.tap(Part::next));
+        EXPECT_EQ(at.visit.state().seen->object, object);
+    }
+    TestDesk one(
+        replaced(patches(), "materials = crayon-red, crayon-blue, cc-yellow", "materials = cc-yellow"));
+    one.visit.act(OpenObject{0, "cc-yellow"});
+    one.lay();
+    ASSERT_NE(one.desk.find(Part::panel), nullptr);
+    EXPECT_EQ(one.desk.find(Part::next), nullptr) << "there is no other";
+}
+
 TEST(Touch, ATapOnNothingClosesThePanel) {
     TestDesk at;
     const PxBox scene = at.desk.layout.scene;

@@ -186,7 +186,7 @@ TEST_P(Fit, EveryDifferenceMethodAndHintInItsPlace) {
     }
 }
 
-TEST_P(Fit, PanelLeavesItsCornerToTheCloseButton) {
+TEST_P(Fit, PanelLeavesItsCornerToItsButtons) {
     for (const ScreenSize& screen : screens()) {
         Sample sample;
         sample.screen = screen;
@@ -201,15 +201,16 @@ TEST_P(Fit, PanelLeavesItsCornerToTheCloseButton) {
             for (int i = 0; i < 4; ++i)
                 lengthy.product->difference += " " + widget.product->difference;
             const Picture picture = paint(lengthy, whole.layout.unit_px);
-            PxBox close = whole.layout.close;
-            close.left -= widget.box.left;
-            close.top -= widget.box.top;
-            const Pixel ground = pixel(picture, close.left, close.top);
-            int written = 0;
-            for (int y = close.top; y < close.bottom(); ++y)
-                for (int x = close.left; x < close.right(); ++x)
-                    written += contrast(pixel(picture, x, y).color, ground.color) > 2;
-            EXPECT_EQ(written, 0) << said(sample);
+            for (PxBox button : {whole.layout.close, whole.layout.next}) {
+                button.left -= widget.box.left;
+                button.top -= widget.box.top;
+                const Pixel ground = pixel(picture, button.left, button.top);
+                int written = 0;
+                for (int y = button.top; y < button.bottom(); ++y)
+                    for (int x = button.left; x < button.right(); ++x)
+                        written += contrast(pixel(picture, x, y).color, ground.color) > 2;
+                EXPECT_EQ(written, 0) << said(sample);
+            }
         }
     }
 }

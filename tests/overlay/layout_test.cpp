@@ -28,6 +28,7 @@ std::vector<Named> boxes_of(const Layout& layout, double split = 0.5) {
                            {"mode", 0, layout.mode, true, false},
                            {"expert", 0, layout.expert, true, false},
                            {"panel", 0, layout.panel, false, true},
+                           {"next", 0, layout.next, true, true},
                            {"close", 0, layout.close, true, true},
                            {"expert_panel", 0, layout.expert_panel, false, true},
                            {"caption", 0, layout.caption, false, true},
@@ -108,7 +109,8 @@ TEST(Layout, KeepsEveryBoxInsideTheScreenAndApart) {
             if (one.over_scene ? !inside(one.box, layout.scene) : overlap(one.box, layout.scene))
                 ADD_FAILURE() << one << " is on the wrong side of the scene's edge";
             for (std::size_t j = 0; j < i; ++j)
-                if (overlap(one.box, all[j].box) && !(one.box == layout.close && all[j].box == layout.panel))
+                if (overlap(one.box, all[j].box) &&
+                    !(all[j].box == layout.panel && (one.box == layout.close || one.box == layout.next)))
                     ADD_FAILURE() << one << " overlaps " << all[j];
         }
     });
@@ -143,7 +145,7 @@ TEST(Layout, HasWhatThereIsAndNothingElse) {
                   contents.languages > 1 ? static_cast<std::size_t>(contents.languages) : 0u);
         EXPECT_EQ(there(layout.mode), contents.lamps > 1);
         EXPECT_EQ(there(layout.panel), contents.panel);
-        EXPECT_EQ(there(layout.close), contents.panel);
+        EXPECT_EQ(there(layout.close) && there(layout.next), contents.panel);
         EXPECT_EQ(there(layout.expert_panel), contents.expert);
         EXPECT_EQ(there(layout.notice), contents.notice);
         EXPECT_EQ(there(layout.hint), contents.hint && !contents.panel);
@@ -159,7 +161,8 @@ TEST(Layout, PutsCloseWhereThePanelLeavesRoomForIt) {
         if (!contents.panel)
             return;
         const double inset = kCloseInset * layout.unit_px;
-        EXPECT_TRUE(inside(layout.close, layout.panel));
+        EXPECT_TRUE(inside(layout.close, layout.panel) && inside(layout.next, layout.panel));
+        EXPECT_NEAR(layout.next.width, kNextWidth * layout.unit_px, 1);
         EXPECT_NEAR(layout.close.width, kCloseWidth * layout.unit_px, 1);
         EXPECT_NEAR(layout.close.height, kCloseHeight * layout.unit_px, 1);
         EXPECT_NEAR(layout.panel.bottom() - layout.close.bottom(), inset, 1);

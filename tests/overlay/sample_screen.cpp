@@ -126,6 +126,7 @@ private:
         panel.difference = said(sample_.difference);
         panel.number = said("difference.number", {{"number", words_.number(sample_.language, 12.3, 1)}});
         add(Part::panel, screen_.layout.panel, panel.title).product = panel;
+        add(Part::next, screen_.layout.next, said("button.next"));
         add(Part::close, screen_.layout.close, said("button.close"));
         add(Part::expert_panel, screen_.layout.expert_panel, said("expert.title")).expert = expert();
     }

@@ -181,7 +181,7 @@ TEST_F(WordsFolder, MissingKeyIsRefusedWithItsEnglish) {
 
 TEST_F(WordsFolder, PlaceholdersMustBeThoseOfEnglish) {
     write_german("strength = Helligkeit × {factor}", "strength = Helligkeit");
-    EXPECT_THAT(error(), EndsWith("/de.ini:21: \"slider.strength\" lacks {factor}"));
+    EXPECT_THAT(error(), EndsWith("/de.ini:22: \"slider.strength\" lacks {factor}"));
     write_german("close = Schließen", "close = {lamp} weg");
     EXPECT_THAT(error(), EndsWith("\"button.close\" has {lamp}, which the English text does not"));
 }

@@ -83,6 +83,11 @@ TEST_F(Touch, OpensAPanelByATapAndCloses) {
     const std::string title = words_.text("en", "panel.title", {{"material", material}, {"lamp", lamp}});
     EXPECT_THAT(panel.at("text").get<std::string>(), testing::StartsWith(title));
     EXPECT_NE(panel.at("colors")[0], panel.at("colors")[1]);
+    tap("next");
+    const std::string second = words_.name_of("en", "material", "cc-blue");
+    kiosk_->await("the second object", [&](const Json& now) {
+        return widget(now, "panel").at("text").get<std::string>().starts_with(second);
+    });
     tap("close");
     await_no_panel();
     EXPECT_EQ(wrong_colors(), "");
