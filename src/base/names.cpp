@@ -77,6 +77,16 @@ std::string nearest_name(std::string_view typed, std::span<const std::string> ca
     return best;
 }
 
+std::string listed(std::span<const std::string> names) {
+    constexpr std::size_t kMost = 12;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i)
+        text += (i > 0 ? ", " : "") + names[i];
+    if (names.size() > kMost)
+        text += " and " + std::to_string(names.size() - kMost) + " more";
+    return text;
+}
+
 std::string did_you_mean(std::string_view typed, std::span<const std::string> candidates) {
     const std::string nearest = nearest_name(typed, candidates);
     return nearest.empty() ? std::string() : "; did you mean \"" + nearest + "\"?";

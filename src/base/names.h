@@ -25,6 +25,9 @@ std::vector<std::string> split(std::string_view text, char separator);
 /// half its letters.
 std::string nearest_name(std::string_view typed, std::span<const std::string> candidates);
 
+/// `E, D65, F11`; of many the first twelve and how many more.
+std::string listed(std::span<const std::string> names);
+
 /// `; did you mean "crayons"?`, or an empty text when nothing is near.
 std::string did_you_mean(std::string_view typed, std::span<const std::string> candidates);
 

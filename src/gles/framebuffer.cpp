@@ -147,4 +147,8 @@ Framebuffer& picture_with_room(std::optional<Framebuffer>& picture, int width_px
     return *picture;
 }
 
+bool has_room_for_picture(int width_px, int height_px) {
+    return texture_side(width_px) <= most_px(true, 0) && texture_side(height_px) <= most_px(true, 1);
+}
+
 } // namespace metamer

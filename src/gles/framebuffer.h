@@ -61,4 +61,7 @@ private:
 Framebuffer& picture_with_room(std::optional<Framebuffer>& picture, int width_px, int height_px,
                                DepthBuffer depth);
 
+/// Whether this GPU has room for such a picture.
+bool has_room_for_picture(int width_px, int height_px);
+
 } // namespace metamer

@@ -6,7 +6,6 @@
 #include "gles/check.h"
 #include "gles/framebuffer.h"
 #include "gles/mesh.h"
-#include "gles/program.h"
 #include "gles/shader_files.h"
 
 namespace metamer {
@@ -14,12 +13,6 @@ namespace metamer {
 namespace {
 
 constexpr int kMostBits = 31;
-
-Program probe(Precision precision) {
-    const ShaderVariant variant = precision_probe_variant(precision);
-    return {compose_shader(variant.vertex, variant.defines, shader_files()),
-            compose_shader(variant.fragment, variant.defines, shader_files()), kMeshAttributes};
-}
 
 /// One triangle over the whole viewport, all else 0.
 MeshData cover() {
@@ -41,7 +34,7 @@ ShaderVariant precision_probe_variant(Precision precision) {
 
 int measured_fragment_bits(Precision precision) {
     const Framebuffer results(kMostBits, 1);
-    const Program program = probe(precision);
+    const Program program = program_of(precision_probe_variant(precision));
     const Mesh mesh(cover());
     program.set("u_one", 1.0F);
     for (int bits = 1; bits <= kMostBits; ++bits) {

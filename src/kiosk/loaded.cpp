@@ -10,15 +10,12 @@ Words words_of(const Exhibit& exhibit) {
     Words words = kiosk.strings.empty() ? Words() : Words(kiosk.strings);
     if (words.language(kiosk.language).code == kiosk.language)
         return words;
-    std::string listed;
     std::vector<std::string> codes;
-    for (const Language& language : words.languages()) {
-        listed += (listed.empty() ? "" : ", ") + language.code;
+    for (const Language& language : words.languages())
         codes.push_back(language.code);
-    }
     throw bad_input("read", kiosk.language_place,
                     "language = " + kiosk.language + " has no file in the folder of strings, which has " +
-                        listed + did_you_mean(kiosk.language, codes));
+                        listed(codes) + did_you_mean(kiosk.language, codes));
 }
 
 } // namespace metamer

@@ -1,10 +1,10 @@
 #include "kiosk/play.h"
 
 #include <GLES2/gl2.h>
-#include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cmath>
+
+#include "gles/texture.h"
 
 namespace metamer {
 
@@ -12,18 +12,13 @@ namespace {
 
 /// Of a side's picture, whose own sides are powers of two: 24 MiB with its depth, as much as old boards have
 /// for it.
-constexpr unsigned kMostSupersampled = 1U << 22;
+constexpr long kMostSupersampled = 1L << 22;
 
 // Supersampled only where the GPU has room for it.
 int scale_for(PxSize side, int asked) {
-    GLint texture = 0, renderbuffer = 0, viewport[2] = {};
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
-    glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &renderbuffer);
-    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
-    const auto most = static_cast<unsigned>(std::min({texture, renderbuffer, viewport[0], viewport[1]}));
-    const unsigned width = std::bit_ceil(static_cast<unsigned>(side.width_px * asked)),
-                   height = std::bit_ceil(static_cast<unsigned>(side.height_px * asked));
-    return width <= most && height <= most && width * height <= kMostSupersampled ? asked : 1;
+    const int width = side.width_px * asked, height = side.height_px * asked;
+    const bool small = static_cast<long>(texture_side(width)) * texture_side(height) <= kMostSupersampled;
+    return small && has_room_for_picture(width, height) ? asked : 1;
 }
 
 } // namespace

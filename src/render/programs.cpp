@@ -4,14 +4,12 @@
 
 #include "base/error.h"
 #include "gles/draw_check.h"
-#include "gles/mesh_data.h"
 #include "gles/shader_files.h"
 
 namespace metamer {
 
 Program build_program(const ShaderVariant& variant) {
-    Program program(compose_shader(variant.vertex, variant.defines, shader_files()),
-                    compose_shader(variant.fragment, variant.defines, shader_files()), kMeshAttributes);
+    Program program = program_of(variant);
     program.set("u_clip_from_world", glm::mat4(1));
     program.set("u_shadow_from_world", glm::mat4(1));
     program.set("u_place", glm::vec4(0, 0, 1, 1));

@@ -34,16 +34,6 @@ Place take_apart(std::string_view name) {
     return {std::string(name.substr(0, at)), std::string(trimmed(name.substr(at + 1)))};
 }
 
-std::string listed(const std::vector<std::string>& names) {
-    constexpr std::size_t kMost = 12;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i)
-        text += (i > 0 ? ", " : "") + names[i];
-    if (names.size() > kMost)
-        text += " and " + std::to_string(names.size() - kMost) + " more";
-    return text;
-}
-
 struct Found {
     Curve curve;
     std::string column, title, source;

@@ -4,7 +4,7 @@
 
 #include "frames/frames.h"
 #include "frames/places.h"
-#include "frames/twin.h"
+#include "plan/twin.h"
 #include "render/draws.h"
 
 namespace metamer {

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "frames/frames.h"
-#include "frames/twin.h"
+#include "plan/twin.h"
 #include "render/surface_maps.h"
 #include "render/tables.h"
 #include "render/variants.h"

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "frames/frames.h"
-#include "frames/twin.h"
 #include "gles/framebuffer.h"
+#include "plan/twin.h"
 #include "render/frame_renderer.h"
 
 namespace metamer {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "frames/frames.h"
-#include "frames/twin.h"
 #include "gles/framebuffer.h"
+#include "plan/twin.h"
 #include "render/frame_renderer.h"
 
 namespace metamer {

@@ -269,18 +269,14 @@ TEST(HalfName, IsWhatTheHalvesDifferIn) {
         both("half.lamp", "lamp", words.name_of("en", "lamp", "D65"), words.name_of("en", "lamp", "A2800")));
     EXPECT_EQ(names("right.working_space = Adobe-D65\n"),
               both("half.space", "space", "sRGB-D65", "Adobe-D65"));
-    const auto twice = [](const std::string& a, const std::string& b) {
-        return a + " | " + b + " | " + a + " | " + b;
-    };
     for (const auto& [left, right] : {std::pair{"packed", "spectral"}, {"rgb", "tristimulus"}})
         EXPECT_EQ(names("left.method = " + std::string(left) + "\nright.method = " + right + "\n"),
                   words.text("en", "method." + std::string(left)) + " | " +
                       words.text("en", "method." + std::string(right)) + " | " + left + " | " + right);
-    EXPECT_EQ(names("left.strength = 0.5\nright.strength = 2\n"),
-              twice(words.text("en", "slider.strength", {{"factor", "0.50"}}),
-                    words.text("en", "slider.strength", {{"factor", "2.0"}})));
-    EXPECT_EQ(names(""), twice(wavelengths, wavelengths).substr(0, 2 * wavelengths.size() + 3) + " | " +
-                             every + " | " + every)
+    const std::string strengths = words.text("en", "slider.strength", {{"factor", "0.50"}}) + " | " +
+                                  words.text("en", "slider.strength", {{"factor", "2.0"}});
+    EXPECT_EQ(names("left.strength = 0.5\nright.strength = 2\n"), strengths + " | " + strengths);
+    EXPECT_EQ(names(""), wavelengths + " | " + wavelengths + " | " + every + " | " + every)
         << "nothing parts them";
 }
 

@@ -2,11 +2,9 @@
 #pragma once
 
 #include "kiosk/kiosks.h"
-#include "plan/color_twin.h"
+#include "plan/twin.h"
 
 namespace metamer {
-
-using Twin = ColorTwin;
 
 /// The exhibit of a text with a state's lamp and strength.
 inline Exhibit lit(const std::string& text, const VisitState& state) {

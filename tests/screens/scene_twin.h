@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "color/xyz.h"
-#include "plan/color_twin.h"
+#include "plan/twin.h"
 #include "render/scene.h"
 
 namespace metamer::test {
@@ -23,7 +23,7 @@ public:
 
 private:
     Exhibit exhibit_;
-    ColorTwin twin_;
+    Twin twin_;
     Scene scene_;
 };
 

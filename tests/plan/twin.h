@@ -1,34 +1,36 @@
-// The CPU's word on a frame: the plan that an exhibit's first half is drawn by, and any pixel by the twin of
-// the method that draws it.
+// The CPU's word on a frame: the plan that an exhibit is drawn by, and any pixel by the twin of the method
+// that draws it.
 #pragma once
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "exhibit/exhibit.h"
 #include "methods/shade.h"
+#include "plan/object_pixels.h"
 #include "plan/planner.h"
 
 namespace metamer {
 
-/// The exhibit must live longer.
+/// Of an exhibit as it is drawn, which must live longer. Without a half named: of the first.
 class Twin {
 public:
     explicit Twin(const Exhibit& exhibit)
         : exhibit_(exhibit), spectra_(exhibit), plan_(plan_exhibit(exhibit, spectra_)) {}
 
-    const HalfView& view() const { return plan_.halves.front().view; }
+    const HalfView& view(std::size_t half = 0) const { return plan_of_half(half).view; }
     const ExhibitSpectra& spectra() const { return spectra_; }
 
-    const ObjectPlan& plan_of(const ObjectSetting& object) const {
-        for (const ObjectPlan& plan : plan_.halves.front().objects)
+    const ObjectPlan& plan_of(const ObjectSetting& object, std::size_t half = 0) const {
+        for (const ObjectPlan& plan : plan_of_half(half).objects)
             if (plan.object == object.name)
                 return plan;
         throw std::logic_error("no plan for " + object.name);
     }
 
     /// A pixel of the object under the half's lamps at diffuse 1; the medium at its full thickness.
-    Pixel pixel_on(const ObjectSetting& object) const {
-        return pixel_of(exhibit_, view(), spectra_, object, object.material);
+    Pixel pixel_on(const ObjectSetting& object, std::size_t half = 0) const {
+        return pixel_of(exhibit_, view(half), spectra_, object, object.material);
     }
 
     /// Linear RGB of a pixel by the object's method.
@@ -43,7 +45,19 @@ public:
     }
     EncodedRgb8 rgb8(const ObjectSetting& object) const { return rgb8(object, pixel_on(object)); }
 
+    /// The color of the exhibit's object in a half of an unlit scene; where there is one half only, in that.
+    EncodedRgb8 color(std::size_t object, std::size_t half) const {
+        const ObjectSetting& setting = exhibit_.objects[object];
+        const ObjectPlan& plan = plan_of(setting, half);
+        return shade_rgb8<float>(plan.method, pixel_on(setting, half),
+                                 sight_of(view(half), spectra_, &plan.taps));
+    }
+
 private:
+    const HalfPlan& plan_of_half(std::size_t half) const {
+        return plan_.halves[std::min(half, plan_.halves.size() - 1)];
+    }
+
     const Exhibit& exhibit_;
     ExhibitSpectra spectra_;
     Plan plan_;
