@@ -63,16 +63,16 @@ TEST_F(Service, TellsSystemdThatItLives) {
     };
     open_screen(kScreen);
     start_kiosk(test::kPatches, 0, {{"NOTIFY_SOCKET", systemd.path()}, {"WATCHDOG_USEC", "4000000"}});
-    await("READY=1");
-    await("STATUS=running");
+    ASSERT_NO_FATAL_FAILURE(await("READY=1"));
+    ASSERT_NO_FATAL_FAILURE(await("STATUS=running"));
     for (int i = 0; i < 3; ++i) // nothing happens meanwhile
-        await("WATCHDOG=1");
+        ASSERT_NO_FATAL_FAILURE(await("WATCHDOG=1"));
     kiosk_->send(SIGHUP);
-    await("RELOADING=1");
-    await("READY=1");
-    await("WATCHDOG=1");
+    ASSERT_NO_FATAL_FAILURE(await("RELOADING=1"));
+    ASSERT_NO_FATAL_FAILURE(await("READY=1"));
+    ASSERT_NO_FATAL_FAILURE(await("WATCHDOG=1"));
     EXPECT_EQ(kiosk_->end_by(SIGTERM), 0) << kiosk_->log();
-    await("STOPPING=1");
+    ASSERT_NO_FATAL_FAILURE(await("STOPPING=1"));
 }
 
 TEST_F(Service, ShowsAWindowWhereAskedTo) {
